@@ -1,0 +1,6 @@
+// Fuzz target of the reader of glTF and GLB.
+#include "round_trip.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  return udcp::round_trip(data, size, "gltf", false);
+}

@@ -1,0 +1,107 @@
+// Applying words to shapes. The atoms are in operators/; here is only what a program adds: limits, progress, the record of the
+// word.
+#include "interpreter/apply.h"
+
+#include <unistd.h>
+
+#include "interpreter/formula.h"
+#include "interpreter/words.h"
+
+namespace udcp {
+
+namespace {
+
+/// Triangle words need triangles; said here, where the step can be named, before any work.
+template <class S>
+void check_triangles(const Word& word, const Surface<S>& surface) {
+  if (!word.triangles) return;
+  for (int f = 0; f < surface.mesh->faces(); ++f) {
+    if (surface.mesh->size(f) == 3) continue;
+    throw Error(
+        ErrorKind::input, "E_NOT_TRIANGLES",
+        "this word is on triangles, but face " + std::to_string(f) + " has " + std::to_string(surface.mesh->size(f)) + " corners",
+        "cut the faces with triangulate(mesh) first");
+  }
+}
+
+Value apply_to_mesh(const WordValue& word, MeshValue mesh, int rounds, const RunControl& control) {
+  MeshValue result{{}, word.source, nullptr};
+  std::visit(
+      [&](auto& surface) {
+        check_triangles(word.word, surface);
+        result.shape = run(word.word, std::move(surface), rounds, control);
+      },
+      mesh.shape);
+  return Value{std::move(result)};
+}
+
+Value apply_to_curve(const WordValue& word, CurveValue curve, int rounds, const RunControl& control) {
+  validate_for_curve(word.word);
+  CurveValue result;
+  result.control = curve.control ? curve.control : std::make_shared<const Polyline<double>>(as_double(curve));
+  std::visit([&](auto& line) { result.shape = run(word.word, std::move(line), rounds, control); }, curve.shape);
+  return Value{std::move(result)};
+}
+
+/// A formula without an exact value on an exact shape: say what to do about it.
+[[noreturn]] void explain_not_exact(const Error& error) {
+  Error better = error;
+  if (better.help.empty()) better.help = "this shape is exact; approximate(shape) makes it double";
+  throw better;
+}
+
+}  // namespace
+
+/// Three quarters of the physical memory.
+static std::int64_t default_max_bytes() {
+  const long pages = sysconf(_SC_PHYS_PAGES), size = sysconf(_SC_PAGESIZE);
+  return pages > 0 && size > 0 ? static_cast<std::int64_t>(pages) / 4 * 3 * size : 0;
+}
+
+RunControl run_control(const CallContext& context, const std::string& what) {
+  RunControl control;
+  control.max_faces = context.settings.max_faces;
+  control.max_bytes = context.settings.max_bytes > 0 ? context.settings.max_bytes : default_max_bytes();
+  control.stop = context.stop.get();
+  if (context.output.progress && !context.settings.quiet)
+    control.progress = [&output = context.output, what](double fraction) { output.progress(what, fraction); };
+  return control;
+}
+
+Value apply(const WordValue& word, Value shape, CallContext& context) {
+  if (auto* list = std::get_if<ListValue>(&shape.data)) {
+    for (Value& item : list->items) item = apply(word, std::move(item), context);
+    return shape;
+  }
+  if (!shape.as<MeshValue>() && !shape.as<CurveValue>())
+    throw wrong_type("what a word is applied to", "a curve or a mesh", shape);
+  if (word.word.is_scheme() && !word.rounds)
+    throw Error(ErrorKind::word, "E_ROUNDS", "this word repeats for ever, so it needs a number of rounds here",
+                "write (" + word.source + ")^4 for four rounds, or limit(" + word.source + ") for the limit points");
+  const RunControl control = run_control(context, word.source);
+  const int rounds = word.rounds.value_or(1);
+  try {
+    if (auto* mesh = std::get_if<MeshValue>(&shape.data)) return apply_to_mesh(word, std::move(*mesh), rounds, control);
+    return apply_to_curve(word, std::move(std::get<CurveValue>(shape.data)), rounds, control);
+  } catch (const Located& error) {
+    if (error.kind != ErrorKind::not_exact || !error.help.empty()) throw;
+    Located better = error;
+    better.help = "if the shape is exact, approximate(shape) makes it double";
+    throw better;
+  } catch (const Error& error) {
+    if (error.kind == ErrorKind::not_exact) explain_not_exact(error);
+    throw;
+  }
+}
+
+Surface<double> as_double(const MeshValue& mesh) {
+  if (const auto* surface = std::get_if<Surface<double>>(&mesh.shape)) return *surface;
+  return convert<double>(std::get<Surface<Algebraic>>(mesh.shape));
+}
+
+Polyline<double> as_double(const CurveValue& curve) {
+  if (const auto* line = std::get_if<Polyline<double>>(&curve.shape)) return *line;
+  return convert<double>(std::get<Polyline<Algebraic>>(curve.shape));
+}
+
+}  // namespace udcp

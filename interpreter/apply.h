@@ -1,0 +1,18 @@
+// A word on a shape, and shapes between exact and double: run() with the limits and the stop flag of the session.
+#pragma once
+
+#include "interpreter/expressions.h"
+#include "operators/run.h"
+
+namespace udcp {
+
+/// Curves, meshes, and lists of them. E_ROUNDS for a scheme without rounds, E_NOT_TRIANGLES, E_TYPE, and what run() throws.
+Value apply(const WordValue&, Value shape, CallContext&);
+/// `what` stands in progress messages.
+RunControl run_control(const CallContext&, const std::string& what);
+
+/// The shape in double, whatever it was.
+Surface<double> as_double(const MeshValue&);
+Polyline<double> as_double(const CurveValue&);
+
+}  // namespace udcp

@@ -1,0 +1,47 @@
+// The table of functions of the language, one row each; the definitions stand in builtins_*.cpp.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "interpreter/value.h"
+
+namespace udcp {
+
+/// What a builtin sees of the running session.
+struct CallContext;
+
+/// Arguments of a call, evaluated: positional ones, then named ones.
+struct Arguments {
+  std::vector<Value> positional;
+  std::vector<std::pair<std::string, Value>> named;
+  [[nodiscard]] const Value* find(std::string_view name) const;
+  /// The argument at a position, or the one with this name; null if it was left away.
+  [[nodiscard]] const Value* get(std::size_t position, std::string_view name) const;
+};
+
+struct Builtin {
+  std::string_view name;
+  std::string_view signature;  // "cube()", "polygon(corners, radius = 1)"
+  std::string_view help;       // one sentence
+  int least = 0, most = 0;     // positional arguments
+  std::vector<std::string_view> named;
+  Value (*call)(CallContext&, const Arguments&);
+  /// Where set, a call gets its arguments unevaluated: counts, which must not refine, and the engines that only check names.
+  Value (*special)(CallContext&, const grammar::Call&) = nullptr;
+};
+
+/// All of them, sorted by name.
+std::span<const Builtin> builtins();
+const Builtin* find_builtin(std::string_view name);
+
+std::vector<Builtin> builtins_geometry();  // cube, polygon, curve, mesh, grid, tube, torus
+std::vector<Builtin> builtins_shapes();    // tag, attribute, triangulate, scale, points, faces, …
+std::vector<Builtin> builtins_words();     // mask, stencils, matrix, support, limit, counts, …
+std::vector<Builtin> builtins_files();     // load, load_curve, save, plot
+std::vector<Builtin> builtins_math();      // type, length, sum, approx, approximate, …
+std::vector<Builtin> builtins_proofs();    // engines of later versions: E_NOT_AVAILABLE
+
+}  // namespace udcp

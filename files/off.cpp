@@ -125,19 +125,18 @@ void OffReader<S>::read_vertex(OffHeader header, std::int64_t v, std::int64_t co
 template <class S>
 void OffReader<S>::read_face(std::int64_t f, std::int64_t count, std::int64_t vertices) {
   const std::int64_t size = scan_.integer_of(element("faces", f, count), "the number of corners");
-  const std::string name = "face " + std::to_string(f);
-  if (size < 3) scan_.fail("E_FILE_SYNTAX", name + " has " + std::to_string(size) + " corners; faces need at least three");
+  const auto fail = [&](const char* code, const std::string& message) {
+    scan_.fail(code, "face " + std::to_string(f) + message);
+  };
+  if (size < 3) fail("E_FILE_SYNTAX", " has " + std::to_string(size) + " corners; faces need at least three");
   for (std::int64_t k = 0; k < size; ++k) {
     const std::string_view token = scan_.token();
     if (token.empty())
-      scan_.fail("E_FILE_SYNTAX",
-                 name + " promises " + std::to_string(size) + " corners, but only " + std::to_string(k) + " follow");
+      fail("E_FILE_SYNTAX", " promises " + std::to_string(size) + " corners, but only " + std::to_string(k) + " follow");
     const std::int64_t v = scan_.integer_of(token, "vertex");
     if (v < 0 || v >= vertices) {
-      scan_.fail("E_FILE_INDEX",
-                 name + " names vertex " + std::to_string(v) + ", but there are " + std::to_string(vertices) +
-                     " vertices (0 to " + std::to_string(vertices - 1) + ")",
-                 "correct the index; OFF counts from 0");
+      const std::string known = std::to_string(vertices) + " vertices (0 to " + std::to_string(vertices - 1) + ")";
+      fail("E_FILE_INDEX", " names vertex " + std::to_string(v) + ", but there are " + known);
     }
     raw_.corners.push_back(static_cast<int>(v));
   }

@@ -77,7 +77,7 @@ class Scanner {
     skip_blanks();
     if (at_ == end_ || (rules_.hash_comments && *at_ == '#')) return {};
     const char* start = at_;
-    while (at_ != end_ && !is_blank(*at_) && !is_newline(*at_) && !at_join()) ++at_;
+    while (at_ != end_ && (!may_end_token(*at_) || (*at_ == '\\' && !at_join()))) ++at_;
     return {start, static_cast<std::size_t>(at_ - start)};
   }
 
@@ -139,6 +139,8 @@ class Scanner {
  private:
   static bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
   static bool is_newline(char c) { return c == '\n' || c == '\r'; }
+  /// One comparison for nearly every character of a token.
+  static bool may_end_token(char c) { return static_cast<unsigned char>(c) <= ' ' ? is_blank(c) || is_newline(c) : c == '\\'; }
   [[nodiscard]] bool at_join() const { return rules_.backslash_joins && *at_ == '\\' && at_ + 1 != end_ && is_newline(at_[1]); }
   void skip_blanks() {
     while (at_ != end_) {

@@ -18,14 +18,15 @@ struct SyntaxError : std::runtime_error {
         help(std::move(error_help)),
         label(std::move(error_label)),
         span(error_span) {}
-  std::string code;  // symbolic: E_SYNTAX, E_STAR, E_DEPTH, E_ENCODING, E_NUMBER, ...
+  std::string code;  // symbolic: E_SYNTAX, E_NUMBER, E_STAR, E_DEPTH, E_LIMIT, E_ENCODING
   std::string help;
   std::string label;  // stands after the caret
   Span span;
   bool incomplete = false;
 };
 
-/// Throws SyntaxError. Texts above 16 MiB, invalid UTF-8 or NUL bytes, and nesting above 200 levels are refused.
+/// Throws SyntaxError. Refused are texts above 16 MiB or 250000 parts, invalid UTF-8 and NUL bytes, brackets above 200 levels and
+/// trees deeper than max_tree_depth. Time and memory grow in proportion to the text.
 Program parse(std::string_view source);
 /// One expression or word, nothing after it: for `udcp apply 'WORD'`.
 ExprPtr parse_expression(std::string_view source);

@@ -6,6 +6,7 @@
 
 #include "interpreter/formula.h"
 #include "interpreter/words.h"
+#include "operators/limit.h"
 
 namespace udcp {
 
@@ -26,6 +27,7 @@ void check_triangles(const Word& word, const Surface<S>& surface) {
 
 Value apply_to_mesh(const WordValue& word, MeshValue mesh, int rounds, const RunControl& control) {
   MeshValue result{{}, word.source, nullptr};
+  if (word.rounds) result.scheme = std::make_shared<const WordValue>(word);
   std::visit(
       [&](auto& surface) {
         check_triangles(word.word, surface);
@@ -91,6 +93,19 @@ Value apply(const WordValue& word, Value shape, CallContext& context) {
   } catch (const Error& error) {
     if (error.kind == ErrorKind::not_exact) explain_not_exact(error);
     throw;
+  }
+}
+
+std::shared_ptr<const Points<double>> limit_normals(const WordValue& word, int rounds, const Surface<double>& surface,
+                                                    RunControl control) {
+  constexpr int most = 250'000;  // vertices; beyond it a viewer sees no difference to the normals of the faces
+  if (!word.word.is_scheme() || surface.mesh->vertices() > most) return nullptr;
+  control.first_item = word.word.items(rounds);
+  try {
+    return std::make_shared<const Points<double>>(limit(word.word, surface, control).normals);
+  } catch (const Error& error) {
+    if (error.kind == ErrorKind::interrupted) throw;
+    return nullptr;  // a scheme without limit normals: dual, varying from point to point, or divergent
   }
 }
 

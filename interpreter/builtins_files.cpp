@@ -112,10 +112,14 @@ void save_mesh(CallContext& context, const MeshValue& mesh, const std::filesyste
   }
   SaveOptions options;
   options.word = mesh.word;
-  options.normals = mesh.normals.get();
+  const Surface<double> surface = as_double(mesh);
+  auto normals = mesh.normals;
+  if (!normals && mesh.scheme && (extension_of(path) == ".glb" || extension_of(path) == ".gltf"))
+    normals = limit_normals(*mesh.scheme, *mesh.scheme->rounds, surface, run_control(context, "limit normals"));
+  options.normals = normals.get();
   if (a.find("colour")) options.colour_attribute = need_text(a, a.positional.size(), "colour");
   if (a.find("format")) options.format = need_text(a, a.positional.size(), "format");
-  save(as_double(mesh), path, options);
+  save(surface, path, options);
 }
 
 void save_matrix(const MatrixValue& matrix, const std::filesystem::path& path) {

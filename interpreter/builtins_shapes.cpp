@@ -151,6 +151,7 @@ Value set_attribute(CallContext& context, const Arguments& a) {
 Value cut_into_triangles(CallContext&, const Arguments& a) {
   MeshValue result = need_mesh(a, 0);
   std::visit([](auto& s) { s = triangulate(s); }, result.shape);
+  result.scheme = nullptr;
   return Value{std::move(result)};
 }
 

@@ -46,7 +46,7 @@ int run_action(const CommandLine& line, Session& session, Console& console, std:
       break;
   }
   if (line.code) return run_text(session, *line.code, "<command line>", {});
-  if (line.files.empty()) return run_text(session, read_program(in, "standard input"), "<stdin>", {});
+  if (line.files.empty() || line.files[0] == "-") return run_text(session, read_program(in, "standard input"), "<stdin>", {});
   const std::string& file = line.files[0];
   return run_text(session, read_program(file), file, std::filesystem::path(file).parent_path());
 }

@@ -46,7 +46,7 @@ Surface<double> load_input(const CommandLine& line, Console& console, std::istre
   } else {
     surface = load<double>(line.input, &warnings);
   }
-  for (const std::string& warning : warnings) console.warning(line.input + ": " + warning);
+  for (const std::string& warning : warnings) console.warning(warning);
   return surface;
 }
 
@@ -60,23 +60,9 @@ void set_corners(Surface<double>& surface, Corners which) {
   }
 }
 
-/// What is left of a scheme after so many rounds: its tail. limit() counts rounds from 0, so a tail that depends on their number,
-/// by alpha or h, would start again at its first round; that is refused rather than computed wrongly.
-Word tail_of(const Word& word, int rounds) {
-  if (rounds == 0) return word;
-  Word rest = word;
-  rest.head.clear();
-  for (const Item& item : rest.tail) {
-    for (const KernelPtr& kernel : {item.f.plain, item.f.latitude, item.f.longitude, item.omega.plain, item.omega.latitude,
-                                    item.omega.longitude, item.omega_face, item.delta}) {
-      if (kernel == nullptr) continue;
-      const Uses used = uses(*kernel);
-      if (used.alpha || used.round) {
-        throw UsageError("--limit after rounds needs a word that is the same in every round; leave out -n, or --limit");
-      }
-    }
-  }
-  return rest;
+bool writes_gltf(const CommandLine& line) {
+  const std::string format = line.format.empty() ? std::filesystem::path(line.output).extension().string() : "." + line.format;
+  return format == ".glb" || format == ".gltf";
 }
 
 }  // namespace
@@ -96,13 +82,16 @@ void apply_to_file(const CommandLine& line, Session& session, Console& console, 
   SaveOptions options;
   options.word = word.source;
   options.format = line.format;
-  Points<double> normals;
+  std::shared_ptr<const Points<double>> normals;
   if (line.limit) {
-    Limit at_limit = limit(tail_of(word.word, rounds), surface, control);
+    control.first_item = rounds > 0 ? word.word.items(rounds) : 0;
+    Limit at_limit = limit(word.word, surface, control);
     surface.points = std::move(at_limit.points);
-    normals = std::move(at_limit.normals);
-    options.normals = &normals;
+    normals = std::make_shared<const Points<double>>(std::move(at_limit.normals));
+  } else if (writes_gltf(line)) {
+    normals = limit_normals(word, rounds, surface, control);
   }
+  options.normals = normals.get();
   console.erase_progress();
   if (line.output == "-") {
     console.out() << save_bytes(surface, line.format, options);

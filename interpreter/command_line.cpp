@@ -2,6 +2,8 @@
 #include "interpreter/command_line.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <limits>
 #include <map>
 
 namespace udcp {
@@ -10,7 +12,7 @@ namespace {
 void add_common_options(CLI::App& app, CommandLine& line) {
   app.add_flag("--json", line.json);
   app.add_flag("--quiet,-q", line.settings.quiet);
-  app.add_option("--seed", line.settings.seed);
+  app.add_option("--seed", line.settings.seed)->check(CLI::Range(std::int64_t{0}, std::numeric_limits<std::int64_t>::max()));
   app.add_option("--precision", line.settings.precision)->check(CLI::Range(2, 1'000'000));
   app.add_option("--max-faces", line.settings.max_faces)->check(CLI::Range(std::int64_t{1}, std::int64_t{1} << 62));
   app.add_option("--threads", line.settings.threads)->check(CLI::Range(0, 4096));
@@ -24,8 +26,13 @@ CLI::App* add_action(CLI::App& app, const char* name, Action action, CommandLine
   return sub;
 }
 
+/// One file. Not by way of a vector, which CLI11 would fill from a name such as "[a,b]" piece by piece.
+CLI::Option* add_file(CLI::App& app, const char* name, CommandLine& line) {
+  return app.add_option_function<std::string>(name, [&line](const std::string& file) { line.files = {file}; });
+}
+
 void add_apply(CLI::App& app, CommandLine& line) {
-  const std::map<std::string, Corners> corners{
+  static const std::map<std::string, Corners> corners{
       {"none", Corners::none}, {"one-face", Corners::one_face}, {"tagged", Corners::tagged}};
   CLI::App* apply = add_action(app, "apply", Action::apply, line);
   apply->add_option("WORD", line.word)->required();
@@ -33,17 +40,18 @@ void add_apply(CLI::App& app, CommandLine& line) {
   apply->add_option_function<int>("-n,--rounds", [&line](int rounds) { line.rounds = rounds; })->check(CLI::Range(0, 1000));
   apply->add_option("-o,--output", line.output)->required();
   apply->add_option("--format", line.format)->check(CLI::IsMember({"obj", "off", "ply", "stl", "glb", "gltf"}));
-  apply->add_option("--corners", line.corners)->transform(CLI::Transformer(corners))->check(CLI::IsMember(corners));
+  apply->add_option_function<std::string>("--corners", [&line](const std::string& name) { line.corners = corners.at(name); })
+      ->check(CLI::IsMember({"none", "one-face", "tagged"}));
   apply->add_flag("--limit", line.limit);
 }
 
 void add_actions(CLI::App& app, CommandLine& line) {
-  add_action(app, "run", Action::program, line)->add_option("FILE", line.files)->required()->expected(1);
+  add_file(*add_action(app, "run", Action::program, line), "FILE", line)->required();
   add_apply(app, line);
   CLI::App* prove = add_action(app, "prove", Action::prove, line);
   prove->add_option("CLAIM", line.claim)->required();
   prove->add_option("-o,--output", line.output);
-  add_action(app, "verify", Action::verify, line)->add_option("CERTIFICATE", line.files)->required()->expected(1);
+  add_file(*add_action(app, "verify", Action::verify, line), "CERTIFICATE", line)->required();
   CLI::App* format = add_action(app, "fmt", Action::format, line);
   format->add_option("FILE", line.files)->required()->expected(1, 1'000'000);
   format->add_flag("--check", line.check);
@@ -57,20 +65,26 @@ std::string sentence(std::string message) {
   return message;
 }
 
-void check_program_arguments(const CommandLine& line, const std::vector<std::string>& bare_files, bool has_action) {
-  if (!bare_files.empty() && has_action) throw UsageError("unexpected argument '" + bare_files[0] + "'");
-  if (bare_files.size() > 1) throw UsageError("one program at a time, but '" + bare_files[1] + "' is a second one");
-  if (line.code && (has_action || !bare_files.empty()))
-    throw UsageError("-e runs the code it is given and takes no file and no action");
+/// Unknown options first: what follows one is often only its value.
+std::string unexpected(const std::vector<std::string>& arguments) {
+  const auto is_option = [](const std::string& argument) { return argument.size() > 1 && argument[0] == '-'; };
+  const auto option = std::find_if(arguments.begin(), arguments.end(), is_option);
+  if (option != arguments.end()) return std::string("there is no option '") + *option + "'";
+  return std::string("unexpected argument '") + (arguments.empty() ? "" : arguments.front()) + "'";
+}
+
+void check_program_arguments(const CommandLine& line, const CLI::Option& file, bool has_action) {
+  const bool has_file = file.count() > 0;
+  if (has_file && has_action) throw UsageError(unexpected(file.results()));
+  if (line.code && (has_action || has_file)) throw UsageError("-e runs the code it is given and takes no file and no action");
   if (line.explain.empty()) return;
-  if (has_action || line.code || !bare_files.empty()) throw UsageError("--explain stands alone");
+  if (has_action || line.code || has_file) throw UsageError("--explain stands alone");
 }
 
 }  // namespace
 
 CommandLine parse_command_line(int argc, const char* const* argv) {
   CommandLine line;
-  std::vector<std::string> bare_files;
   CLI::App app;
   app.set_help_flag("-h,--help");
   app.set_version_flag("--version", "");
@@ -78,7 +92,7 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
   add_common_options(app, line);
   app.add_option_function<std::string>("-e", [&line](const std::string& code) { line.code = code; })->join('\n');
   app.add_option("--explain", line.explain);
-  app.add_option("FILE", bare_files)->allow_extra_args(false)->expected(0, 2);
+  CLI::Option* bare_file = add_file(app, "FILE", line);
   add_actions(app, line);
   try {
     app.parse(argc, argv);
@@ -88,11 +102,15 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
   } catch (const CLI::CallForVersion&) {
     line.action = Action::version;
     return line;
+  } catch (const CLI::ExtrasError&) {
+    throw UsageError(unexpected(app.remaining(true)));
+  } catch (const CLI::ArgumentMismatch& error) {
+    const std::string message = error.what();
+    throw UsageError(message.substr(0, message.find(':')) + " needs one value");
   } catch (const CLI::ParseError& error) {
     throw UsageError(sentence(error.what()));
   }
-  check_program_arguments(line, bare_files, !app.get_subcommands().empty());
-  if (!bare_files.empty()) line.files = bare_files;
+  check_program_arguments(line, *bare_file, !app.get_subcommands().empty());
   if (!line.explain.empty()) line.action = Action::explain;
   return line;
 }

@@ -35,7 +35,7 @@ struct Bounds {
 inline constexpr int max_call_depth = 200;
 inline constexpr int max_nesting =
     1000;  // expressions inside each other, calls followed: what the stack holds, sanitizers included
-inline constexpr std::int64_t max_steps = 20'000'000;
+inline constexpr std::int64_t max_steps = 2'000'000;
 
 /// The value of an expression in the number type S, exact as long as Quantity is. Names: those of `scope`, alpha, N, h, pi,
 /// v.name. Throws Located: E_NAME, E_TYPE, E_ARGUMENTS, E_DIV0, not_exact, E_UNDECIDED, E_CALL_DEPTH, E_STEPS, E_NUMBER_SIZE.

@@ -1,5 +1,5 @@
-// libedit behind a small class. Ctrl-C is an ordinary key while a line is edited (the terminal's interrupt character is switched
-// off in edit mode only), so that no signal can arrive in the middle of libedit; during a computation it is a signal again.
+// libedit behind a small class. Ctrl-C is an ordinary key while a line is edited (the terminal makes no signals in edit mode), so
+// that none can arrive in the middle of libedit; during a computation it is a signal again. Ctrl-Z is passed on by hand.
 #include "interpreter/repl_editor.h"
 
 #include <fcntl.h>
@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -80,6 +81,11 @@ struct LineEditor::State {
     return CC_NEWLINE;
   }
 
+  static unsigned char on_suspend(EditLine*, int) {
+    std::raise(SIGTSTP);  // libedit's own handler leaves and enters edit mode around it
+    return CC_REDISPLAY;
+  }
+
   static unsigned char on_tab(EditLine* edit, int) {
     State& state = of(edit);
     const LineInfo* info = el_line(edit);
@@ -144,11 +150,13 @@ LineEditor::LineEditor(fs::path history, Complete complete) : state_(std::make_u
   el_set(s.edit, EL_HIST, State::history_function, s.history);
   el_set(s.edit, EL_ADDFN, "udcp-complete", "complete the word", &State::on_tab);
   el_set(s.edit, EL_ADDFN, "udcp-interrupt", "forget the line", &State::on_interrupt);
+  el_set(s.edit, EL_ADDFN, "udcp-suspend", "stop the process", &State::on_suspend);
   el_set(s.edit, EL_BIND, "^R", "em-inc-search-prev", nullptr);
   el_source(s.edit, nullptr);
-  el_set(s.edit, EL_SETTY, "-d", "intr=", nullptr);
+  el_set(s.edit, EL_SETTY, "-d", "-isig", nullptr);
   el_set(s.edit, EL_BIND, "^I", "udcp-complete", nullptr);
   el_set(s.edit, EL_BIND, "^C", "udcp-interrupt", nullptr);
+  el_set(s.edit, EL_BIND, "^Z", "udcp-suspend", nullptr);
 }
 
 LineEditor::~LineEditor() {

@@ -104,7 +104,25 @@ std::string to_text(const Value& value) {
   return is_measured(value) ? "≈ " + plain_text(value) : std::visit(Texts{}, value.data);
 }
 
+namespace {
+
+/// A report names its own kind; of a mask the coefficients are the value, and arity, offset and shift stand beside it.
+Json report_json(const Json& report) {
+  const auto kind = report.find("kind");
+  if (!report.is_object() || kind == report.end()) return Json{{"kind", "report"}, {"value", report}};
+  const bool has_coefficients = report.contains("coefficients");
+  Json json{{"kind", *kind}, {"value", has_coefficients ? report["coefficients"] : Json::object()}};
+  for (const auto& [key, part] : report.items()) {
+    if (key == "kind" || key == "coefficients") continue;
+    (has_coefficients ? json : json["value"])[key] = part;
+  }
+  return json;
+}
+
+}  // namespace
+
 Json to_json(const Value& value) {
+  if (const auto* report = value.as<ReportValue>()) return report_json(report->json);
   Json json{{"kind", type_name(value)}, {"value", payload(value)}};
   if (const auto* word = value.as<WordValue>()) {
     json["bindings"] = word_bindings(*word);

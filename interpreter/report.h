@@ -12,7 +12,7 @@ namespace udcp {
 
 /// For people: exact first, then about 12 digits: "-17/48 + 5*sqrt(5)/48  (= -0.121243…)"; enclosures as [lo, hi].
 std::string to_text(const Value&);
-/// One JSON object {"kind": …, "value": …} as in language.md, section 5.
+/// One JSON object {"kind": …, "value": …} with rationals as strings and enclosures rounded outward.
 Json to_json(const Value&);
 
 /// The bindings that the text of a word carries after `where`: "omega = 1/2", "f@lat(alpha) = cos(alpha/2)".

@@ -115,10 +115,10 @@ std::string decimals(const Quantity<Algebraic>& number, int digits) {
   return enclosure_of(number).to_string(digits);
 }
 
-std::string double_text(double value) {
+std::string double_text(double value, int digits) {
   if (value == 0) return "0";  // also -0
   char buffer[64];
-  const auto end = std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::general, 12).ptr;
+  const auto end = std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::general, digits).ptr;
   return {buffer, end};
 }
 

@@ -14,8 +14,8 @@ std::string exact_text(const Quantity<Algebraic>& number);
 std::string decimals(const Quantity<Algebraic>& number, int digits);
 /// Exact text, followed by "  (= -0.121243…)" where the exact text alone says little about the size.
 std::string number_text(const NumberValue& number);
-/// At most 12 significant digits, no locale: "0.1", "1e-20".
-std::string double_text(double value);
+/// At most so many significant digits, no locale: "0.1", "1e-20".
+std::string double_text(double value, int digits = 12);
 
 Json number_json(const Quantity<Algebraic>& number);
 Json number_json(const Algebraic& number);

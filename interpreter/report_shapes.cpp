@@ -81,9 +81,10 @@ std::vector<std::pair<double, double>> bounding_box(const Points<S>& points) {
 template <class S>
 std::string box_text(const Points<S>& points) {
   if (points.rows() == 0) return {};
+  constexpr int digits = 6;  // enough to place a shape
   std::string text;
   for (const auto& [least, greatest] : bounding_box(points)) {
-    text += (text.empty() ? ", box ≈ [" : " x [") + double_text(least) + ", " + double_text(greatest) + "]";
+    text += (text.empty() ? ", box ≈ [" : " x [") + double_text(least, digits) + ", " + double_text(greatest, digits) + "]";
   }
   return text;
 }

@@ -1,4 +1,5 @@
-// Session: the bindings of a program or a REPL, and the one way to run source text. Never prints by itself: results go to `output`.
+// Session: the bindings of a program or a REPL, and the one way to run source text. Never prints by itself: results go to
+// `output`.
 #pragma once
 
 #include <atomic>
@@ -16,11 +17,11 @@
 namespace udcp {
 
 struct Settings {
-  int precision = 128;                  // bits of enclosures
+  int precision = 128;  // bits of enclosures
   std::int64_t max_faces = 50'000'000;
-  std::int64_t max_bytes = 0;           // 0: three quarters of the physical memory
-  int threads = 0;                      // reserved for engines that use them; 0: all
-  std::uint64_t seed = 0;               // added to every noise seed
+  std::int64_t max_bytes = 0;  // 0: three quarters of the physical memory
+  int threads = 0;             // reserved for engines that use them; 0: all
+  std::uint64_t seed = 0;      // added to every noise seed
   bool quiet = false;
 };
 
@@ -38,8 +39,8 @@ struct ProgramError : std::runtime_error {
   bool syntax = false, incomplete = false;
   std::string code;  // symbolic
   std::string help, label, file;
-  std::string source;    // whole text
-  grammar::Span span;    // in it
+  std::string source;  // whole text
+  grammar::Span span;  // in it
 };
 
 /// The worst outcome so far decides the exit code: 0 done, 1 an assertion or claim is false, 3 undecided.
@@ -49,8 +50,8 @@ class Session {
  public:
   explicit Session(Settings settings = {}, Output output = {});
 
-  /// Runs a program; `name` stands in diagnostics ("tour.udcp", "<command line>"); relative paths start at `folder`. Returns the value
-  /// of the last statement, or Nothing. Throws ProgramError; bindings made by earlier statements stay.
+  /// Runs a program; `name` stands in diagnostics ("tour.udcp", "<command line>"); relative paths start at `folder`. Returns the
+  /// value of the last statement, or Nothing. Throws ProgramError; bindings made by earlier statements stay.
   Value run(std::string_view source, const std::string& name = "<input>", const std::filesystem::path& folder = {});
   void load_prelude();
   /// Takes back the last successful run() that changed bindings; false if there is none.

@@ -1,4 +1,4 @@
-// Values of the language: what a name can stand for and what a line prints. language.md, section 3.
+// Values of the language: what a name can stand for and what a line prints.
 #pragma once
 
 #include <functional>
@@ -65,6 +65,7 @@ struct MeshValue {
   std::variant<Surface<double>, Surface<Algebraic>> shape;
   std::string word;                               // what made it, for the extras of files
   std::shared_ptr<const Points<double>> normals;  // limit normals where a limit made it
+  std::shared_ptr<const WordValue> scheme{};      // the scheme^n that made it; a GLB gets the limit normals after those rounds
 };
 
 struct MatrixValue {

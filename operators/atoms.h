@@ -8,7 +8,7 @@
 //   P  push_back    towards the points before U
 //
 // Values in the dual state are rows in the order in which realise_dual numbers its vertices: faces, then boundary edges, then
-// corners (on curves: along the curve). operators.md, sections 2 to 5.
+// corners (on curves: along the curve).
 #pragma once
 
 #include <memory>
@@ -90,7 +90,7 @@ Surface<S> realise_dual(const Surface<S>& shape, const Points<S>& dual);
 // ---- C
 // ----------------------------------------------------------------------------------------------------------------------------
 
-/// C on triangles, operators.md section 4. `weights` as for D.
+/// C on triangles. `weights` as for D.
 template <class S>
 Points<S> convolve_triangles(const Surface<S>& shape, const KernelWeights<S>* weights);
 

@@ -1,6 +1,7 @@
 // The execution state of a word on a shape, one step per atom.
 #include "operators/run.h"
 
+#include <algorithm>
 #include <map>
 #include <optional>
 #include <string>

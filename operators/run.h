@@ -1,4 +1,4 @@
-// run: a word on a shape. Holds the execution state of operators.md, section 1 (dual or primal, number of D, alpha, reference of
+// run: a word on a shape. Holds the execution state (dual or primal, number of D, alpha, reference of
 // P).
 #pragma once
 

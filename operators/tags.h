@@ -5,7 +5,7 @@
 
 namespace udcp {
 
-/// longitude and latitude steer f, omega, alpha0 and the ring pass (operators.md, section 5). U hands the tag of an edge to its
+/// longitude and latitude steer f, omega, alpha0 and the ring pass. U hands the tag of an edge to its
 /// children.
 enum class EdgeTag : char { none, longitude, latitude };
 

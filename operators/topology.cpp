@@ -208,7 +208,7 @@ Tags split_tags(const Mesh& mesh, const Tags& tags, const Mesh& refined, Split s
     const int h = refined.edge_half[at(e)], a = refined.vertex[at(h)], b = refined.tip(h);
     if (origin.is_in_face(a) || origin.is_in_face(b)) continue;
     const int old_edge = old_edge_of_point(origin.is_old(a) ? b : a);
-    const bool crosses = !origin.is_old(a) && !origin.is_old(b) && old_edge_of_point(a) != old_edge;  // inside a triangle
+    const bool crosses = !origin.is_old(a) && !origin.is_old(b) && old_edge_of_point(b) != old_edge;  // inside a triangle
     if (!crosses) fine.edge[at(e)] = tags.of_edge(old_edge);
   }
   if (split.triangles) return fine;

@@ -26,15 +26,14 @@ Origin origin_of_split(const Mesh& before, Split split);
 /// New vertices: old, then (d-1) per edge in edge direction, then inner points per face. Throws Error{word, "E_USPLIT"} for a
 /// face that U[d] cannot split, E_NOT_TRIANGLES for a face that is no triangle, Error{limit, "E_TOO_LARGE"} past 2^31 half-edges.
 Mesh split_mesh(const Mesh& mesh, Split split);
-/// Tags of the split mesh: children inherit, an edge from an E point into a face gets the opposite direction. operators.md,
-/// section 5.
+/// Tags of the split mesh: children inherit, an edge from an E point into a face gets the opposite direction.
 Tags split_tags(const Mesh& mesh, const Tags& tags, const Mesh& refined, Split split);
 
 /// Quad faces whose four edges are tagged alternately, one entry per face.
 bool is_alternately_tagged(const Mesh& mesh, const Tags& tags, int face);
 
 /// The dual mesh: vertices are the faces, the boundary edges and the corners of `mesh`. Throws E_VALENCE2 (interior vertex of
-/// valence 2), E_CORNER (corner inside). operators.md, section 3.3.
+/// valence 2), E_CORNER (corner inside).
 struct DualMesh {
   Mesh mesh;
   Tags tags;

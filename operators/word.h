@@ -1,4 +1,4 @@
-// Words: sequences of atoms with their parameters, checked before they run. Knows no points; operators.md, section 1.
+// Words: sequences of atoms with their parameters, checked before they run. Knows no points.
 #pragma once
 
 #include <cstdint>
@@ -26,9 +26,9 @@ struct Directional {
 };
 
 /// The edge points next to a face that was not a quad: from the sub-quads (C is exactly D D), or from the face points themselves,
-/// which is textbook Catmull-Clark. language.md, section 1.
+/// which is textbook Catmull-Clark.
 enum class Ngon { dual, classic };
-/// The second pass on rings of tagged edges after P: operators.md, section 5.
+/// The second pass on rings of tagged edges after P, which keeps circles (push-back, surfaces of revolution).
 enum class Rings { off, latitude, longitude, both };
 
 /// A null kernel means the default: f = 1, omega = 1, delta = 1.

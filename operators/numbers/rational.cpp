@@ -1,9 +1,10 @@
-// Rational arithmetic: 64-bit integers while everything fits, GMP from there on; correctly rounded conversion.
+// Rational arithmetic: 64-bit integers while everything fits, Boost's GMP rational from there on; correctly rounded conversion.
 #include "operators/numbers/rational.h"
 
 #include <gmp.h>
 
 #include <algorithm>
+#include <boost/multiprecision/gmp.hpp>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
@@ -40,11 +41,11 @@ bool fits(mpz_srcptr value) { return mpz_fits_slong_p(value) != 0 && mpz_get_si(
 }  // namespace
 
 struct Rational::Big {
-  Big() { mpq_init(value); }
-  ~Big() { mpq_clear(value); }
+  Big() = default;
   Big(const Big&) = delete;
   Big& operator=(const Big&) = delete;
-  mpq_t value;
+  boost::multiprecision::mpq_rational number;
+  mpq_ptr value = number.backend().data();
 };
 
 struct Rational::View {

@@ -1,5 +1,6 @@
 // Exact rational numbers, always in lowest terms. Values that fit two 64-bit integers are kept in place (subdivision weights
-// nearly always do); larger ones own a GMP number. Only rational.cpp and interval.cpp see GMP.
+// nearly always do); larger ones own a Boost mpq_rational. Boost stays in rational.cpp, as its expressions and Eigen's do not
+// mix.
 #pragma once
 
 #include <cstddef>

@@ -88,15 +88,17 @@ class Writer {
   }
 
   std::string operation(int depth) {
-    switch (pick(6)) {
+    switch (pick(7)) {
       case 0:
-        return operand(depth) + " " + one_of("+", "-", "/", "^") + gap() + operand(depth);
+        return operand(depth) + " " + one_of("+", "-", "/") + gap() + operand(depth);
+      case 5:
+        return operand(depth) + one_of("^", "^-", " ^ - -") + operand(0);
       case 1:
         return one_of("-", "not ", "- -") + operand(depth);
       case 2:
         return operand(depth) + gap() + one_of("==", "!=", "<", "<=", ">", ">=") + gap() + operand(depth);
       case 3:
-        return operand(depth) + one_of(" and ", " or ", "^-", " - -") + operand(depth);
+        return operand(depth) + one_of(" and ", " or ", " - -") + operand(depth);
       case 4:
         return number() + gap() + "*" + gap() + one_of(name(), number(), "(" + name() + " + " + operand(0) + ")");
       default:
@@ -257,7 +259,7 @@ TEST_CASE("the programs of the language survive a round trip") {
 }
 
 TEST_CASE("random programs survive a round trip") {
-  for (unsigned seed = 0; seed < 2000; ++seed) {
+  for (unsigned seed = 0; seed < 800; ++seed) {
     CAPTURE(seed);
     check_round_trip(Writer(seed).program());
   }
@@ -265,23 +267,24 @@ TEST_CASE("random programs survive a round trip") {
 
 TEST_CASE("equality ignores spans and comments but no content") {
   CHECK(same(parse("x = 1 # a"), parse("\n\nx   =   1")));
-  for (const auto& [a, b] : {std::pair{"x = 1", "y = 1"},
-                             {"x = 1", "x = 1.0"},
-                             {"a + b", "b + a"},
-                             {"UC", "CU"},
-                             {"U", "U[2]"},
-                             {"U^2 C", "U^3 C"},
-                             {"(UC)*", "(UC)^2 U"},
-                             {"f(a)", "f(x = a)"},
-                             {"P . C . U", "UCP"},
-                             {"w where f = 1", "w where f@lat = 1"},
-                             {"w on triangles", "w where f = 1"},
-                             {"print a", "print a, a"},
-                             {"a .. b", "a .. b step 1"},
-                             {"f() U", "f U"},
-                             {"check a for x in (0, 1)", "check a for x in [0, 1)"},
-                             {"prove a", "check a"},
-                             {"use \"a\"", "use \"b\""}}) {
+  for (const auto& pair : {std::pair{"x = 1", "y = 1"},
+                           {"x = 1", "x = 1.0"},
+                           {"a + b", "b + a"},
+                           {"UC", "CU"},
+                           {"U", "U[2]"},
+                           {"U^2 C", "U^3 C"},
+                           {"(UC)*", "(UC)^2 U"},
+                           {"f(a)", "f(x = a)"},
+                           {"P . C . U", "UCP"},
+                           {"w where f = 1", "w where f@lat = 1"},
+                           {"w on triangles", "w where f = 1"},
+                           {"print a", "print a, a"},
+                           {"a .. b", "a .. b step 1"},
+                           {"f() U", "f U"},
+                           {"check a for x in (0, 1)", "check a for x in [0, 1)"},
+                           {"prove a", "check a"},
+                           {"use \"a\"", "use \"b\""}}) {
+    const std::string a = pair.first, b = pair.second;
     CAPTURE(a);
     CAPTURE(b);
     CHECK_FALSE(same(parse(a), parse(b)));

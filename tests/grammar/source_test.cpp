@@ -1,3 +1,4 @@
+// Places, excerpts and encodings of texts.
 #include "grammar/source.h"
 
 #include <doctest/doctest.h>

@@ -96,8 +96,9 @@ TEST_SUITE("interpreter") {
     const Word scheme = word("catmull_clark");
     std::vector<oracle::NamedMesh> meshes = oracle::quad_meshes();
     for (oracle::NamedMesh& m : oracle::polygon_meshes()) meshes.push_back(std::move(m));
-    for (const auto& [name, mesh] : meshes) {
-      CAPTURE(name);
+    for (const oracle::NamedMesh& named : meshes) {
+      const Mesh& mesh = named.mesh;
+      CAPTURE(named.name);
       const Surface<Algebraic> start = oracle::random_surface<Algebraic>(dice, mesh);
       const auto expected = oracle::catmull_clark_step(oracle::faces_of(mesh), start.points);
       const Surface<Algebraic> found = run(scheme, start, 1);
@@ -109,8 +110,9 @@ TEST_SUITE("interpreter") {
   TEST_CASE("loop is the textbook scheme on all triangle meshes") {
     oracle::Dice dice(2);
     const Word scheme = word("loop");
-    for (const auto& [name, mesh] : oracle::triangle_meshes()) {
-      CAPTURE(name);
+    for (const oracle::NamedMesh& named : oracle::triangle_meshes()) {
+      const Mesh& mesh = named.mesh;
+      CAPTURE(named.name);
       const Surface<Algebraic> start = oracle::random_surface<Algebraic>(dice, mesh);
       const auto expected = oracle::loop_step(oracle::faces_of(mesh), start.points);
       check_same(run(scheme, start, 1).points, expected.points);
@@ -213,8 +215,9 @@ TEST_SUITE("interpreter") {
   TEST_CASE("the rows of Table 1 have the values of the reference data") {
     std::ifstream in(std::string(UDCP_TEST_DATA) + "/operators.json");
     REQUIRE(in);
+    const Json data = Json::parse(in);
     int found = 0;
-    for (const Json& test : Json::parse(in)["cases"]) {
+    for (const Json& test : data["cases"]) {
       const std::string id = test["id"];
       if (!id.starts_with("table 1 row ")) continue;
       ++found;

@@ -58,6 +58,12 @@ std::vector<Program> programs_of(const fs::path& file) {
   return programs;
 }
 
+std::string joined(const std::vector<std::string>& lines) {
+  std::string text;
+  for (const std::string& line : lines) text += line + "\n";
+  return text;
+}
+
 bool matches(const std::string& expected, const std::string& line) {
   if (!expected.ends_with("...")) return expected == line;
   return line.starts_with(expected.substr(0, expected.size() - 3));
@@ -99,7 +105,7 @@ void run_program(const Program& program) {
   CAPTURE(message);
   CHECK(error == program.error);
   CHECK((session.outcome() == Outcome::refuted) == program.refuted);
-  CAPTURE(printed);
+  CAPTURE(joined(printed));
   if (!program.refuted) {
     CHECK(printed.size() == program.lines.size());
     for (std::size_t i = 0; i < std::min(printed.size(), program.lines.size()); ++i) {
@@ -108,7 +114,7 @@ void run_program(const Program& program) {
       CHECK(matches(program.lines[i], printed[i]));
     }
   }
-  CAPTURE(warnings);
+  CAPTURE(joined(warnings));
   CHECK(warnings.size() == program.warnings.size());
   for (std::size_t i = 0; i < std::min(warnings.size(), program.warnings.size()); ++i)
     CHECK(warnings[i].find(program.warnings[i]) != std::string::npos);

@@ -50,11 +50,11 @@ std::string error_text(const ProgramError& error) {
 TEST_SUITE("interpreter") {
   TEST_CASE("groups and powers and names expand from left to right") {
     CHECK(atoms(word("U C^3 P").word, 1) == "UCCCP");
-    CHECK(atoms(word("(UD)^2 (UCP)*").word, 2) == "UDUD UCP UCP");
-    CHECK(atoms(word("a = UC\na a^2 (a P)*").word, 1) == "UCUCUC UCP");
+    CHECK(atoms(word("(UD)^2 (UCP)*").word, 2) == "UDUDUCP UCP");
+    CHECK(atoms(word("a = UC\na a^2 (a P)*").word, 1) == "UCUCUCUCP");
     CHECK(atoms(word("P . C^2 . U").word, 1) == "UCCP");
     CHECK(atoms(finite(word("catmull_clark^3")), 1) == "UCPUCPUCP");
-    CHECK(atoms(word("w = catmull_clark^2\nw (UD)*").word, 1) == "UCPUCP UD");
+    CHECK(atoms(word("w = catmull_clark^2\nw (UD)*").word, 1) == "UCPUCPUD");
     CHECK(atoms(word("bspline(4)").word, 1) == "UDDDD");
     CHECK(word("catmull_clark^3").rounds == 3);
     CHECK(word("U[3] C").word.head[0].sections == 3);

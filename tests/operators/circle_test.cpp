@@ -134,7 +134,9 @@ TEST_SUITE("operators") {
 
   TEST_CASE("a kernel for another polygon leaves the circle") {
     const auto fine = run(circle(6, "UCP", ratio(1, 2)), polygon<Algebraic>(5), 1);
-    const auto square = [&](int i) -> Algebraic { return fine.points(i, 0) * fine.points(i, 0) + fine.points(i, 1) * fine.points(i, 1); };
+    const auto square = [&](int i) -> Algebraic {
+      return fine.points(i, 0) * fine.points(i, 0) + fine.points(i, 1) * fine.points(i, 1);
+    };
     CHECK(square(0) != square(1));
   }
 }

@@ -20,7 +20,8 @@ TEST_SUITE("operators") {
         REQUIRE(fine.size() == (closed ? 4 * d : 3 * d + 1));
         for (int i = 0; i < curve.edges(); ++i)
           for (int s = 0; s < d; ++s) {
-            const Points<Rational> point = (Rational(d - s) * curve.points.row(i) + Rational(s) * curve.points.row((i + 1) % 4)) / Rational(d);
+            const Points<Rational> point =
+                (Rational(d - s) * curve.points.row(i) + Rational(s) * curve.points.row((i + 1) % 4)) / Rational(d);
             CHECK(fine.points.row(d * i + s) == point.row(0));
           }
         if (!closed) CHECK(fine.points.row(3 * d) == curve.points.row(3));
@@ -70,7 +71,8 @@ TEST_SUITE("operators") {
       const std::string text = random_atoms(dice);
       CAPTURE(text);
       CAPTURE(trial);
-      const auto fine = run(scheme(text, constant(dice.positive()), constant(dice.fraction()), constant(dice.fraction())), curve, 1);
+      const auto fine =
+          run(scheme(text, constant(dice.positive()), constant(dice.fraction()), constant(dice.fraction())), curve, 1);
       std::vector<int> before, after;
       for (int i = 0; i < curve.size(); ++i)
         if (curve.is_corner(i)) before.push_back(i);

@@ -25,7 +25,8 @@ Polynomial<Algebraic> circle_factor(const Rational& q) { return {1, Algebraic(2)
 const Polynomial<Algebraic> line_factor{1, 1};
 
 Word push_back_word(int k, const Rational& delta, const Rational& turns) {
-  Word word = scheme("U" + std::string(static_cast<std::size_t>(k), 'C') + "P", half_cosine(), inverse_half_cosine(), constant(delta));
+  Word word =
+      scheme("U" + std::string(static_cast<std::size_t>(k), 'C') + "P", half_cosine(), inverse_half_cosine(), constant(delta));
   word.alpha0 = Directional<KernelPtr>::all(turn(turns));
   return word;
 }
@@ -136,13 +137,15 @@ TEST_SUITE("operators") {
       CAPTURE(f.to_string());
       CAPTURE(omega.to_string());
       CAPTURE(delta.to_string());
-      const Rational four = Rational(4) * (Rational(1) + f), a = (Rational(1) - delta) / four, b = omega * delta / (Rational(2) * four);
+      const Rational four = Rational(4) * (Rational(1) + f), a = (Rational(1) - delta) / four,
+                     b = omega * delta / (Rational(2) * four);
       const Rational half = ratio(1, 2) + b, middle = Rational(1) - Rational(2) * a;
       const std::vector<Rational> expected{-b, a, half, middle, half, a, -b};
       const Mask<Rational> m = mask<Rational>(scheme("UCP", constant(f), constant(omega), constant(delta)));
       for (int k = -3; k <= 3; ++k) {
         const auto i = static_cast<std::size_t>(k - m.first);
-        CHECK((k < m.first || i >= m.coefficients.size() ? Rational(0) : m.coefficients[i]) == expected[static_cast<std::size_t>(k + 3)]);
+        CHECK((k < m.first || i >= m.coefficients.size() ? Rational(0) : m.coefficients[i]) ==
+              expected[static_cast<std::size_t>(k + 3)]);
       }
     }
   }

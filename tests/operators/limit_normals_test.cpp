@@ -41,8 +41,12 @@ Surface<double> zoom(const Word& word, const Surface<double>& surface, int v, in
   constexpr int rings = 3;
   const auto piece_at = [&](const Surface<double>& from, int centre) {
     Neighbourhood local = neighbourhood(*from.mesh, from.tags, from.mesh->outgoing[Mesh::i(centre)], rings);
-    Surface<double> piece{std::make_shared<const Mesh>(local.mesh), Points<double>(static_cast<Eigen::Index>(local.vertex.size()), 3), local.tags, {}};
-    for (std::size_t k = 0; k < local.vertex.size(); ++k) piece.points.row(static_cast<Eigen::Index>(k)) = from.points.row(local.vertex[k]);
+    Surface<double> piece{std::make_shared<const Mesh>(local.mesh),
+                          Points<double>(static_cast<Eigen::Index>(local.vertex.size()), 3),
+                          local.tags,
+                          {}};
+    for (std::size_t k = 0; k < local.vertex.size(); ++k)
+      piece.points.row(static_cast<Eigen::Index>(k)) = from.points.row(local.vertex[k]);
     return piece;
   };
   Surface<double> piece = piece_at(surface, v);
@@ -77,7 +81,8 @@ TEST_SUITE("operators") {
       for (const Limit* found : {&at_box, &at_ring}) {
         CHECK((found->normals.rowwise().norm().array() - 1).abs().maxCoeff() < 1e-12);
         for (Eigen::Index v = 0; v < found->normals.rows(); ++v) {
-          const Eigen::RowVector3d a = found->tangents.row(v).head<3>(), b = found->tangents.row(v).tail<3>(), n = found->normals.row(v);
+          const Eigen::RowVector3d a = found->tangents.row(v).head<3>(), b = found->tangents.row(v).tail<3>(),
+                                   n = found->normals.row(v);
           CHECK(std::abs(a.dot(n)) < 1e-12 * (1 + a.norm()));
           CHECK(std::abs(b.dot(n)) < 1e-12 * (1 + b.norm()));
           CHECK(a.cross(b).dot(n) > 0);
@@ -89,7 +94,8 @@ TEST_SUITE("operators") {
   TEST_CASE("loop normals of a sphere-like solid point outward") {
     for (const auto& solid : {octahedron<double>(), icosahedron<double>(), tetrahedron<double>()}) {
       const Limit found = limit(loop(), solid);
-      for (Eigen::Index v = 0; v < found.normals.rows(); ++v) CHECK(found.normals.row(v).dot(solid.points.row(v).normalized()) > 1 - 1e-9);
+      for (Eigen::Index v = 0; v < found.normals.rows(); ++v)
+        CHECK(found.normals.row(v).dot(solid.points.row(v).normalized()) > 1 - 1e-9);
     }
   }
 
@@ -109,10 +115,12 @@ TEST_SUITE("operators") {
   TEST_CASE("a flat mesh has the normal of its plane everywhere") {
     for (const auto& flat : {ring_mesh(3, 2), ring_mesh(5, 2), ring_mesh(9, 2)}) {
       const Limit found = limit(catmull_clark(), flat);
-      for (Eigen::Index v = 0; v < found.normals.rows(); ++v) CHECK((found.normals.row(v) - Eigen::RowVector3d(0, 0, 1)).norm() < 1e-9);
+      for (Eigen::Index v = 0; v < found.normals.rows(); ++v)
+        CHECK((found.normals.row(v) - Eigen::RowVector3d(0, 0, 1)).norm() < 1e-9);
     }
     const Limit found = limit(loop(), ring_mesh(7, 2, true));
-    for (Eigen::Index v = 0; v < found.normals.rows(); ++v) CHECK((found.normals.row(v) - Eigen::RowVector3d(0, 0, 1)).norm() < 1e-9);
+    for (Eigen::Index v = 0; v < found.normals.rows(); ++v)
+      CHECK((found.normals.row(v) - Eigen::RowVector3d(0, 0, 1)).norm() < 1e-9);
   }
 
   TEST_CASE("on a smooth boundary the normal is the limit of the face normals also at a reflex corner") {

@@ -33,8 +33,8 @@ TEST_SUITE("operators") {
     Dice dice(141);
     for (const Mesh& mesh : {prism(5), l_shape(), *cube<Rational>().mesh, *ring_mesh(5, 1).mesh}) {
       const auto surface = rough(dice, mesh);
-      for (const Word& word : {catmull_clark(), scheme("UCP", nullptr, value(1, 2), value(1, 3)), scheme("UCCP", nullptr, value(1), value(1, 2)),
-                               scheme("UDD"), scheme("UDDDD", value(1, 2))})
+      for (const Word& word : {catmull_clark(), scheme("UCP", nullptr, value(1, 2), value(1, 3)),
+                               scheme("UCCP", nullptr, value(1), value(1, 2)), scheme("UDD"), scheme("UDDDD", value(1, 2))})
         CHECK(change_by_refining(word, word, surface) < 1e-9);
     }
     for (const Mesh& mesh : {*octahedron<Rational>().mesh, *ring_mesh(5, 1, true).mesh}) {
@@ -142,7 +142,8 @@ TEST_SUITE("operators") {
           "E_LIMIT_VARIES: parameters that differ from point to point (v.name, noise) have no limit stencils");
     Word varied = scheme("UC", half_cosine());
     varied.alpha0.plain = missing;
-    CHECK(refusal([&] { limit(varied, curve); }) == "E_LIMIT_VARIES: an alpha0 that differs from point to point has no limit stencils");
+    CHECK(refusal([&] { limit(varied, curve); }) ==
+          "E_LIMIT_VARIES: an alpha0 that differs from point to point has no limit stencils");
     CHECK(refusal([&] { limit(scheme("DD"), shape); }) ==
           "E_NO_LIMIT: a round of the word has no U, so its points do not approach a curve or surface");
   }

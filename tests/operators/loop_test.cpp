@@ -101,12 +101,14 @@ TEST_SUITE("operators") {
     for (int v = 0; v < 3; ++v) moved.row(v) = delta * (surface.points.row(v) - smooth.points.row(v));
     const auto centre = static_cast<Eigen::Index>(9);  // 3 old points, 2 on each edge, 1 inside
     REQUIRE(fine.points.rows() == 10);
-    const Points<Rational> inner = smooth.points.row(centre) + omega * omega * (moved.row(0) + moved.row(1) + moved.row(2)) / Rational(3);
+    const Points<Rational> inner =
+        smooth.points.row(centre) + omega * omega * (moved.row(0) + moved.row(1) + moved.row(2)) / Rational(3);
     CHECK(fine.points.row(centre) == inner.row(0));
     for (int e = 0; e < 3; ++e)
       for (int s = 1; s < 3; ++s) {
         const Eigen::Index i = 3 + 2 * e + s - 1;
-        const Points<Rational> point = smooth.points.row(i) + omega * (Rational(3 - s) * moved.row(e) + Rational(s) * moved.row((e + 1) % 3)) / Rational(3);
+        const Points<Rational> point =
+            smooth.points.row(i) + omega * (Rational(3 - s) * moved.row(e) + Rational(s) * moved.row((e + 1) % 3)) / Rational(3);
         CHECK(fine.points.row(i) == point.row(0));
       }
   }

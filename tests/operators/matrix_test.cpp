@@ -22,7 +22,6 @@ Rational coefficient(const Mask<Rational>& m, int k) {
   return i < 0 || i >= static_cast<int>(m.coefficients.size()) ? Rational(0) : m.coefficients[static_cast<std::size_t>(i)];
 }
 
-
 }  // namespace
 
 TEST_SUITE("operators") {
@@ -116,7 +115,8 @@ TEST_SUITE("operators") {
   }
 
   TEST_CASE("masks of later rounds start where the rounds before ended") {
-    Word word = scheme("UC", formula([](const auto& c) { return std::decay_t<decltype(c.alpha)>(c.round + 1); }, {false, false, true}));
+    Word word =
+        scheme("UC", formula([](const auto& c) { return std::decay_t<decltype(c.alpha)>(c.round + 1); }, {false, false, true}));
     word.head = items("U");
     for (int round = 0; round < 3; ++round) {
       const Rational f(round + 2);  // h is 0 in the head
@@ -126,7 +126,8 @@ TEST_SUITE("operators") {
 
   TEST_CASE("a matrix acts like the word also on meshes and later rounds") {
     Dice dice(25);
-    Word word = scheme("UCP", formula([](const auto& c) { return Rational(1) + Rational(c.round) / Rational(3) + 0 * c.alpha; }, {false, false, true}));
+    Word word = scheme("UCP", formula([](const auto& c) { return Rational(1) + Rational(c.round) / Rational(3) + 0 * c.alpha; },
+                                      {false, false, true}));
     for (int round = 0; round < 2; ++round) {
       const Surface<Rational> surface = random_surface<Rational>(dice, prism(5));
       RunControl control;

@@ -100,7 +100,8 @@ TEST_SUITE("operators") {
     const auto surface = random_surface<Rational>(dice, make_mesh(4, Faces{{0, 1, 2, 3}}));
     const auto bilinear = [](const Points<Rational>& p, int x, int y) {
       const Rational u = ratio(x, 3), v = ratio(y, 3), one(1);
-      return Points<Rational>((one - u) * (one - v) * p.row(0) + u * (one - v) * p.row(1) + u * v * p.row(2) + (one - u) * v * p.row(3));
+      return Points<Rational>((one - u) * (one - v) * p.row(0) + u * (one - v) * p.row(1) + u * v * p.row(2) +
+                              (one - u) * v * p.row(3));
     };
     const auto up = run(operation("U3"), surface, 1).points, smooth = run(operation("U3C"), surface, 1).points;
     const auto fine = run(operation("U3CP", nullptr, constant(omega), constant(delta)), surface, 1).points;
@@ -118,7 +119,8 @@ TEST_SUITE("operators") {
 
   TEST_CASE("N is the valence inside and regular on boundaries and at new points") {
     Dice dice(125);
-    const KernelPtr by_valence = formula([](const auto& c) { return std::decay_t<decltype(c.alpha)>(c.valence); }, {true, false, false});
+    const KernelPtr by_valence =
+        formula([](const auto& c) { return std::decay_t<decltype(c.alpha)>(c.valence); }, {true, false, false});
     const auto surface = random_surface<Rational>(dice, *ring_mesh(5, 1).mesh);
     const auto smooth = run(operation("UC"), surface, 1).points;
     const auto fine = run(operation("UCP", nullptr, by_valence, by_valence), surface, 1).points;
@@ -129,7 +131,8 @@ TEST_SUITE("operators") {
     CHECK(fine.row(0) == (smooth.row(0) + difference(0).row(0)).eval());
     for (int e = 0; e < mesh.edges(); ++e) {
       const int h = mesh.edge_half[Mesh::i(e)], i = mesh.vertices() + e;
-      const Points<Rational> expected = smooth.row(i) + Rational(4) / Rational(2) * (difference(mesh.vertex[Mesh::i(h)]) + difference(mesh.tip(h)));
+      const Points<Rational> expected =
+          smooth.row(i) + Rational(4) / Rational(2) * (difference(mesh.vertex[Mesh::i(h)]) + difference(mesh.tip(h)));
       CHECK(fine.row(i) == expected.row(0));
     }
     // f = N: V of valence 5 weighs 25, the edge points 4 each, the centre of the old face 1
@@ -137,7 +140,9 @@ TEST_SUITE("operators") {
     for (int f = 0; f < up.mesh->faces(); ++f) {
       const auto c = up.mesh->corners(f);
       if (c[0] != 0) continue;
-      const Points<Rational> expected = (Rational(25) * up.points.row(0) + Rational(4) * (up.points.row(c[1]) + up.points.row(c[3])) + up.points.row(c[2])) / Rational(34);
+      const Points<Rational> expected =
+          (Rational(25) * up.points.row(0) + Rational(4) * (up.points.row(c[1]) + up.points.row(c[3])) + up.points.row(c[2])) /
+          Rational(34);
       CHECK(dual.points.row(f) == expected.row(0));
     }
   }
@@ -152,7 +157,8 @@ TEST_SUITE("operators") {
   }
 
   TEST_CASE("errors of geometry name the face or vertex") {
-    Surface<Rational> pillow{std::make_shared<const Mesh>(make_mesh(3, Faces{{0, 1, 2}, {2, 1, 0}})), Points<Rational>::Ones(3, 3), {}, {}};
+    Surface<Rational> pillow{
+        std::make_shared<const Mesh>(make_mesh(3, Faces{{0, 1, 2}, {2, 1, 0}})), Points<Rational>::Ones(3, 3), {}, {}};
     CHECK(refusal([&] { run(scheme("UD"), pillow, 1); }) ==
           "E_VALENCE2: vertex 0 lies inside and has valence 2, so its face in the dual mesh would have two corners");
     CHECK(refusal([&] { run(scheme("UDD"), pillow, 2); }) == "accepted");
@@ -173,7 +179,8 @@ TEST_SUITE("operators") {
           "E_USPLIT: U[3] splits quads only, and the mesh has other faces");
     CHECK(refusal([] { run(scheme("UD"), cube<Rational>(), 1); }) == "accepted");
     // faces of a dual are found out when they are split
-    CHECK(refusal([] { run(operation("UDU3"), cube<Rational>(), 1); }) == "E_USPLIT: face 0 has 3 corners; U[3] splits quads only");
+    CHECK(refusal([] { run(operation("UDU3"), cube<Rational>(), 1); }) ==
+          "E_USPLIT: face 0 has 3 corners; U[3] splits quads only");
     CHECK(refusal([] { run(on_triangles(scheme("UC")), cube<Rational>(), 1); }) ==
           "E_NOT_TRIANGLES: a word `on triangles` needs a mesh of triangles");
   }

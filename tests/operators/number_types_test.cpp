@@ -50,7 +50,8 @@ TEST_SUITE("operators") {
       CHECK(disagreements(run(word, curve, 1).points, run(word, convert<S>(curve), 1).points) == 0);
     }
     const auto curve = random_curve<Rational>(dice, 3, true);
-    CHECK(disagreements(run(rational_circle("UCP"), curve, 1).points, run(rational_circle("UCP"), convert<S>(curve), 1).points) == 0);
+    CHECK(disagreements(run(rational_circle("UCP"), curve, 1).points, run(rational_circle("UCP"), convert<S>(curve), 1).points) ==
+          0);
   }
 
   TEST_CASE_TEMPLATE("all number types agree on meshes", S, double, Rational, Algebraic, Interval) {
@@ -82,8 +83,9 @@ TEST_SUITE("operators") {
   }
 
   TEST_CASE_TEMPLATE("constants are reproduced whatever the parameters are", S, double, Rational, Algebraic, Interval) {
-    const KernelPtr rough = formula([]<class T>(const Context<T>& c) { return Rational(2) + noise<T>(Rational(5), c.round, c.vertex) / Rational(4); },
-                                    {true, true, true});
+    const KernelPtr rough =
+        formula([]<class T>(const Context<T>& c) { return Rational(2) + noise<T>(Rational(5), c.round, c.vertex) / Rational(4); },
+                {true, true, true});
     Dice dice(133);
     const auto constant_points = [](int n) { return Points<Rational>::Constant(n, 1, Rational(7)).eval(); };
     for (const char* atoms : {"UCP", "UDD", "UCCP", "UD"}) {

@@ -1,15 +1,15 @@
-// Refinements and limits against OpenSubdiv's, file by file. The folder tests/data/reference holds the small ones; UDCP_REFERENCE_MESHES
-// may name a folder with more of the same kind.
+// Refinements and limits against OpenSubdiv's, file by file. The folder tests/data/reference holds the small ones;
+// UDCP_REFERENCE_MESHES may name a folder with more of the same kind.
 #include <doctest/doctest.h>
 
 #include <cstdlib>
 #include <filesystem>
 #include <map>
 
-#include "tests/oracle/obj_lines.h"
-#include "tests/oracle/schemes.h"
 #include "operators/limit.h"
 #include "operators/run.h"
+#include "tests/oracle/obj_lines.h"
+#include "tests/oracle/schemes.h"
 
 namespace udcp {
 namespace {
@@ -68,8 +68,8 @@ void compare_limit(const Case& c, const Surface<double>& start, const Word& word
   const Limit limits = limit(word, fine);
   CHECK((limits.points - rows(expected.points)).cwiseAbs().maxCoeff() <= 1e-12 * size_of(start.points));
   Points<double> normals = rows(expected.normals);
-  // OpenSubdiv's normal at the one smooth boundary vertex with three faces is not the limit of the face normals around it (it is off
-  // by 3e-4); limit_test shows by refinement that ours is.
+  // OpenSubdiv's normal at the one smooth boundary vertex with three faces is not the limit of the face normals around it (it is
+  // off by 3e-4); limit_test shows by refinement that ours is.
   if (c.mesh == "l_shape") normals.row(12) = limits.normals.row(12);
   Eigen::Index worst = 0;
   CHECK((limits.normals - normals).rowwise().norm().maxCoeff(&worst) <= 1e-9);

@@ -42,14 +42,16 @@ Word pipe(int m, const Rational& delta) {
   return word;
 }
 
-// What a latitude edge of a regular ring of n points leaves at 0: difference of heights, of squared radii, and p.q - r^2 cos(2 pi/n).
+// What a latitude edge of a regular ring of n points leaves at 0: difference of heights, of squared radii, and p.q - r^2 cos(2
+// pi/n).
 template <class S>
 std::array<S, 3> defects(const Surface<S>& surface, int e, int n) {
   const int h = surface.mesh->edge_half[Mesh::i(e)], a = surface.mesh->vertex[Mesh::i(h)], b = surface.mesh->tip(h);
   const auto dot = [&](int i, int j) -> S {
     return surface.points(i, 0) * surface.points(j, 0) + surface.points(i, 1) * surface.points(j, 1);
   };
-  return {S(surface.points(a, 2) - surface.points(b, 2)), S(dot(a, a) - dot(b, b)), S(dot(a, b) - dot(a, a) * cosine<S>(ratio(2, n)))};
+  return {S(surface.points(a, 2) - surface.points(b, 2)), S(dot(a, a) - dot(b, b)),
+          S(dot(a, b) - dot(a, a) * cosine<S>(ratio(2, n)))};
 }
 
 template <class S, class Good>
@@ -103,7 +105,8 @@ TEST_SUITE("operators") {
   }
 
   TEST_CASE("a torus with rings in both directions and delta 1 stays exactly on the torus") {
-    for (const auto& [m, k] : {std::pair{6, 4}, {4, 4}, {4, 6}}) {
+    for (const auto& size : {std::pair{6, 4}, {4, 4}, {4, 6}}) {
+      const int m = size.first, k = size.second;  // clang 14 cannot CAPTURE a binding
       CAPTURE(m);
       CAPTURE(k);
       const Algebraic R(3), r(1);
@@ -159,7 +162,8 @@ TEST_SUITE("operators") {
   TEST_CASE("face points of tagged quads get omega of both directions and omega@face replaces omega squared") {
     Dice dice(64);
     Surface<Rational> surface = random_surface<Rational>(dice, *torus<double>(4, 3, 2, 1).mesh);
-    const Rational lat = dice.fraction(), lon = dice.fraction(), plain = dice.fraction(), face = dice.fraction(), delta = dice.fraction();
+    const Rational lat = dice.fraction(), lon = dice.fraction(), plain = dice.fraction(), face = dice.fraction(),
+                   delta = dice.fraction();
     Word word = operation("UCP", nullptr, nullptr, constant(delta));
     word.head[2].omega = {constant(plain), constant(lat), constant(lon)};
     const auto tags = torus<double>(4, 3, 2, 1).tags;
@@ -170,7 +174,8 @@ TEST_SUITE("operators") {
       for (int f = 0; f < mesh.faces(); ++f) {
         const int i = mesh.vertices() + mesh.edges() + f;
         Points<Rational> expected = smooth.row(i);
-        for (const int v : mesh.corners(f)) expected.row(0) += weight * delta * (surface.points.row(v) - smooth.row(v)) / Rational(4);
+        for (const int v : mesh.corners(f))
+          expected.row(0) += weight * delta * (surface.points.row(v) - smooth.row(v)) / Rational(4);
         CHECK(fine.row(i) == expected.row(0));
       }
     };
@@ -187,10 +192,11 @@ TEST_SUITE("operators") {
     // open rings: a strip of three tagged quads; at its two ends no ring goes on
     Surface<Rational> surface = grid<Rational>(3, 1);
     surface.tags.edge.assign(Mesh::i(surface.mesh->edges()), EdgeTag::longitude);
-    for (int h = 0; h < surface.mesh->half_edges(); h += 2) surface.tags.edge[Mesh::i(surface.mesh->edge[Mesh::i(h)])] = EdgeTag::latitude;
+    for (int h = 0; h < surface.mesh->half_edges(); h += 2)
+      surface.tags.edge[Mesh::i(surface.mesh->edge[Mesh::i(h)])] = EdgeTag::latitude;
     Dice dice(65);
     surface.points = random_points<Rational>(dice, 8, 3);
-    Word with = operation("UCP", nullptr, nullptr, value(1, 2)), without = with;
+    Word with = operation("UCP", nullptr, nullptr, value(1, 3)), without = with;
     with.rings = Rings::latitude;
     const Points<Rational> a = run(with, surface, 1).points, b = run(without, surface, 1).points;
     std::vector<int> changed;

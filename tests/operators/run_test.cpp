@@ -24,13 +24,15 @@ KernelPtr attribute(const std::string& name) {
   return formula([name](const auto& c) { return c.attribute(name); }, {false, true, false});
 }
 KernelPtr noise_of(int seed) {
-  return formula([seed]<class S>(const Context<S>& c) { return noise<S>(Rational(seed), c.round, c.vertex); }, {false, true, true});
+  return formula([seed]<class S>(const Context<S>& c) { return noise<S>(Rational(seed), c.round, c.vertex); },
+                 {false, true, true});
 }
 
 // noise(seed) at point i of round h, from the definition of the splitmix64 finaliser.
 Rational noise_by_hand(std::uint64_t seed, int h, int i) {
   const std::uint64_t golden = 0x9E3779B97F4A7C15u;
-  std::uint64_t x = seed + golden * (static_cast<std::uint64_t>(h) * (std::uint64_t{1} << 40) + static_cast<std::uint64_t>(i) + 1);
+  std::uint64_t x =
+      seed + golden * (static_cast<std::uint64_t>(h) * (std::uint64_t{1} << 40) + static_cast<std::uint64_t>(i) + 1);
   x ^= x >> 30;
   x *= 0xBF58476D1CE4E5B9u;
   x ^= x >> 27;
@@ -102,8 +104,9 @@ TEST_SUITE("operators") {
     for (int i = 0; i < n; ++i) {
       const auto weight = [&](int k) { return k % 2 == 0 ? ratio(3, 7) : Rational(1); };
       const auto row = [&](int k) { return once.points.row((k + n) % n); };
-      const Points<Rational> mean = (weight(i - 1) * row(i - 1) + weight(i) * row(i)) / (weight(i - 1) + weight(i)) / Rational(2) +
-                                    (weight(i) * row(i) + weight(i + 1) * row(i + 1)) / (weight(i) + weight(i + 1)) / Rational(2);
+      const Points<Rational> mean =
+          (weight(i - 1) * row(i - 1) + weight(i) * row(i)) / (weight(i - 1) + weight(i)) / Rational(2) +
+          (weight(i) * row(i) + weight(i + 1) * row(i + 1)) / (weight(i) + weight(i + 1)) / Rational(2);
       CHECK(second.points.row(i) == mean.row(0));
     }
     CHECK(first.size() == n);
@@ -117,7 +120,9 @@ TEST_SUITE("operators") {
     word.alpha0.plain = attribute("a");
     const auto smooth = run(operation("UC"), curve, 1).points, fine = run(word, curve, 1).points;
     const auto& a = curve.attributes.at("a");
-    const auto delta = [&](int i) { return Points<Rational>(a[static_cast<std::size_t>(i)] * (curve.points.row(i) - smooth.row(2 * i))); };
+    const auto delta = [&](int i) {
+      return Points<Rational>(a[static_cast<std::size_t>(i)] * (curve.points.row(i) - smooth.row(2 * i)));
+    };
     for (int i = 0; i < 5; ++i) {
       const int j = (i + 1) % 5;
       const Points<Rational> even = smooth.row(2 * i) + delta(i), mean = (delta(i) + delta(j)) / Rational(2);
@@ -189,7 +194,8 @@ TEST_SUITE("operators") {
     CHECK(now.points == run(word, curve, 3).points);
     const auto surface = random_surface<Rational>(dice, prism(5), 1);
     const auto smooth = run(operation("UC"), surface, 1).points, fine = run(word, surface, 1).points;
-    for (int v = 0; v < 10; ++v) CHECK(fine(v, 0) == smooth(v, 0) + noise_by_hand(7, 0, v) * (surface.points(v, 0) - smooth(v, 0)));
+    for (int v = 0; v < 10; ++v)
+      CHECK(fine(v, 0) == smooth(v, 0) + noise_by_hand(7, 0, v) * (surface.points(v, 0) - smooth(v, 0)));
   }
 
   TEST_CASE("first_item continues a run") {

@@ -38,7 +38,8 @@ template <class S>
 S squared_edge(const Surface<S>& surface, int e) {
   const int h = surface.mesh->edge_half[Mesh::i(e)], a = surface.mesh->vertex[Mesh::i(h)], b = surface.mesh->tip(h);
   S sum(0);
-  for (Eigen::Index c = 0; c < 3; ++c) sum += (surface.points(a, c) - surface.points(b, c)) * (surface.points(a, c) - surface.points(b, c));
+  for (Eigen::Index c = 0; c < 3; ++c)
+    sum += (surface.points(a, c) - surface.points(b, c)) * (surface.points(a, c) - surface.points(b, c));
   return sum;
 }
 
@@ -87,7 +88,9 @@ TEST_SUITE("operators") {
       CHECK(curve.points(0, 1) == Algebraic(0));
       for (int i = 0; i < n; ++i) {
         const int j = (i + 1) % n;
-        const auto dot = [&](int a, int b) -> Algebraic { return curve.points(a, 0) * curve.points(b, 0) + curve.points(a, 1) * curve.points(b, 1); };
+        const auto dot = [&](int a, int b) -> Algebraic {
+          return curve.points(a, 0) * curve.points(b, 0) + curve.points(a, 1) * curve.points(b, 1);
+        };
         CHECK(dot(i, i) == Algebraic(4));
         CHECK(dot(i, j) == Algebraic(4) * cosine<Algebraic>(ratio(2, n)));
         CHECK((curve.points(i, 0) * curve.points(j, 1) - curve.points(i, 1) * curve.points(j, 0)).sign() > 0);
@@ -150,8 +153,10 @@ TEST_SUITE("operators") {
     CHECK(refusal([] { polygon<double>(2); }) == "E_SHAPE: a polygon has at least 3 corners and at most 100000000, not 2");
     CHECK(refusal([] { grid<double>(0, 4); }) == "E_SHAPE: a grid has at least 1 by 1 faces and at most 100000000");
     CHECK(refusal([] { torus<double>(4, 2, 3, 1); }) == "E_SHAPE: a torus needs at least 3 points in each direction");
-    CHECK(refusal([] { torus<double>(2, 4, 3, 1); }) == "E_SHAPE: a tube needs at least 3 points round and 2 rings (3 if closed)");
-    CHECK(refusal([] { tube<double>(4, Points<double>::Ones(3, 3)); }) == "E_SHAPE: a profile has two columns, radius and height");
+    CHECK(refusal([] { torus<double>(2, 4, 3, 1); }) ==
+          "E_SHAPE: a tube needs at least 3 points round and 2 rings (3 if closed)");
+    CHECK(refusal([] { tube<double>(4, Points<double>::Ones(3, 3)); }) ==
+          "E_SHAPE: a profile has two columns, radius and height");
     CHECK(refusal([] { polygon<Rational>(5); }).starts_with("E_NOT_EXACT"));
     CHECK(refusal([] { polygon<Rational>(4); }) == "accepted");
   }

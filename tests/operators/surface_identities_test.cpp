@@ -1,4 +1,5 @@
-// Words on meshes against formulas: averaging Doo-Sabin, Zorin-Schroeder, the regular part of U C^k P, and what commutes with words.
+// Words on meshes against formulas: averaging Doo-Sabin, Zorin-Schroeder, the regular part of U C^k P, and what commutes with
+// words.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -98,7 +99,8 @@ Surface<Rational> renumbered(Dice& dice, const Surface<Rational>& surface) {
   for (int v = 0; v < n; ++v) to[Mesh::i(v)] = v;
   for (int v = n - 1; v > 0; --v) std::swap(to[Mesh::i(v)], to[Mesh::i(dice.below(v + 1))]);
   Faces faces = faces_of(*surface.mesh);
-  for (std::size_t k = faces.size() - 1; k > 0; --k) std::swap(faces[k], faces[static_cast<std::size_t>(dice.below(static_cast<int>(k) + 1))]);
+  for (std::size_t k = faces.size() - 1; k > 0; --k)
+    std::swap(faces[k], faces[static_cast<std::size_t>(dice.below(static_cast<int>(k) + 1))]);
   for (auto& face : faces) {
     for (int& v : face) v = to[Mesh::i(v)];
     std::rotate(face.begin(), face.begin() + dice.below(static_cast<int>(face.size())), face.end());
@@ -158,7 +160,8 @@ TEST_SUITE("operators") {
           neighbours.push_back(named.mesh.tip(h));
           faces += mean(surface.points, named.mesh.corners(named.mesh.face[Mesh::i(h)])) / Rational(named.mesh.valence(v));
         }
-        const Row expected = surface.points.row(v) / Rational(2) + mean(surface.points, neighbours) / Rational(4) + faces / Rational(4);
+        const Row expected =
+            surface.points.row(v) / Rational(2) + mean(surface.points, neighbours) / Rational(4) + faces / Rational(4);
         CHECK(fine.points.row(v) == expected);
       }
     }
@@ -177,9 +180,11 @@ TEST_SUITE("operators") {
         const Mask<Rational> c = mask<Rational>(scheme(convolved, constant(f)));
         const auto cu = symbol(c, 0), cv = symbol(c, 1);
         const Rational half = omega / Rational(2);
-        const auto gu = line({{-1, half}, {0, Rational(1)}, {1, half}}, 0), gv = line({{-1, half}, {0, Rational(1)}, {1, half}}, 1);
+        const auto gu = line({{-1, half}, {0, Rational(1)}, {1, half}}, 0),
+                   gv = line({{-1, half}, {0, Rational(1)}, {1, half}}, 1);
         const auto kept = one + Rational(-1) * (even_part(cu) * even_part(cv));
-        compare_with_symbol(scheme(convolved + "P", constant(f), constant(omega), constant(delta)), cu * cv + delta * (gu * gv * kept));
+        compare_with_symbol(scheme(convolved + "P", constant(f), constant(omega), constant(delta)),
+                            cu * cv + delta * (gu * gv * kept));
       }
     }
   }
@@ -252,7 +257,8 @@ TEST_SUITE("operators") {
       for (const char* atoms : {"UCP", "UCCP", "U3CP"}) {
         CAPTURE(named.name);
         CAPTURE(atoms);
-        const Word word = on_triangles(scheme(atoms, constant(dice.positive()), constant(dice.fraction()), constant(dice.fraction())));
+        const Word word =
+            on_triangles(scheme(atoms, constant(dice.positive()), constant(dice.fraction()), constant(dice.fraction())));
         const Surface<Rational> surface = random_surface<Rational>(dice, named.mesh), other = renumbered(dice, surface);
         CHECK(canonical(run(word, surface, 1)) == canonical(run(word, other, 1)));
       }

@@ -29,57 +29,69 @@ void check_same(const Mesh& mesh, const Mesh& expected) {
 // The arrays of a mesh against those that make_mesh finds from its faces, twins by search.
 void check_connectivity(const Mesh& mesh) { check_same(mesh, make_mesh(mesh.vertices(), faces_of(mesh))); }
 
-// The faces of U[d] as the specification lists them; edge e and face f by their numbers in `mesh`.
+// The s-th new point from a on the edge a b, of d - 1.
+int point_on_edge(const Mesh& mesh, int d, int a, int b, int s) {
+  for (int e = 0; e < mesh.edges(); ++e) {
+    const int h = mesh.edge_half[Mesh::i(e)], from = mesh.vertex[Mesh::i(h)], to = mesh.tip(h),
+              first = mesh.vertices() + (d - 1) * e;
+    if (from == a && to == b) return first + s - 1;
+    if (from == b && to == a) return first + (d - s) - 1;
+  }
+  throw std::logic_error("no such edge");
+}
+
+// Vertices at the places (x, y) of face f under U[d]: f[0] at (0, 0), f[1] at (d, 0), the last corner at (0, d).
+std::map<std::pair<int, int>, int> places_in_face(const Mesh& mesh, int f, int d) {
+  const auto c = mesh.corners(f);
+  const bool triangle = c.size() == 3;
+  std::map<std::pair<int, int>, int> place;
+  int inner = mesh.vertices() + (d - 1) * mesh.edges() + (triangle ? (d - 1) * (d - 2) / 2 : (d - 1) * (d - 1)) * f;
+  for (int y = 1; y < d; ++y)
+    for (int x = 1; x < (triangle ? d - y : d); ++x) place[{x, y}] = inner++;
+  const auto side = [&](std::size_t k, int s) {  // s steps along the side from corner k
+    const int a = c[k], b = c[(k + 1) % c.size()];
+    return s == 0 ? a : point_on_edge(mesh, d, a, b, s);
+  };
+  for (int s = 0; s < d; ++s) {
+    place[{s, 0}] = side(0, s);
+    place[triangle ? std::pair{d - s, s} : std::pair{d, s}] = side(1, s);
+    place[triangle ? std::pair{0, d - s} : std::pair{d - s, d}] = side(2, s);
+    if (!triangle) place[{0, d - s}] = side(3, s);
+  }
+  return place;
+}
+
+Faces grid_by_hand(const Mesh& mesh, int f, int d) {
+  const auto place = places_in_face(mesh, f, d);
+  const auto at = [&](int x, int y) { return place.at({x, y}); };
+  const bool triangle = mesh.size(f) == 3;
+  Faces result;
+  for (int y = 0; y < d; ++y) {
+    for (int x = 0; x < (triangle ? d - y : d); ++x) {
+      if (!triangle) result.push_back({at(x, y), at(x + 1, y), at(x + 1, y + 1), at(x, y + 1)});
+      if (triangle) result.push_back({at(x, y), at(x + 1, y), at(x, y + 1)});
+      if (triangle && x + y < d - 1) result.push_back({at(x + 1, y), at(x + 1, y + 1), at(x, y + 1)});
+    }
+  }
+  return result;
+}
+
+// The faces of U[d] as the specification lists them.
 Faces split_by_hand(const Mesh& mesh, int d, bool triangles) {
   Faces result;
-  const int first_edge = mesh.vertices(), first_face = first_edge + (d - 1) * mesh.edges();
-  const auto on_edge = [&](int a, int b, int s) {  // s-th point from a on the edge a b
-    for (int e = 0; e < mesh.edges(); ++e) {
-      const int h = mesh.edge_half[Mesh::i(e)], from = mesh.vertex[Mesh::i(h)], to = mesh.tip(h);
-      if (from == a && to == b) return first_edge + (d - 1) * e + s - 1;
-      if (from == b && to == a) return first_edge + (d - 1) * e + (d - s) - 1;
-    }
-    return -1;
-  };
   for (int f = 0; f < mesh.faces(); ++f) {
     const auto c = mesh.corners(f);
-    const int n = mesh.size(f);
-    if (!triangles && d == 2) {
-      for (int j = 0; j < n; ++j) {
-        const int v = c[Mesh::i(j)], next = c[Mesh::i((j + 1) % n)], before = c[Mesh::i((j + n - 1) % n)];
-        result.push_back({v, on_edge(v, next, 1), first_face + f, on_edge(before, v, 1)});
-      }
-    } else if (triangles && d == 2) {
-      const int ab = on_edge(c[0], c[1], 1), bc = on_edge(c[1], c[2], 1), ca = on_edge(c[2], c[0], 1);
-      for (const auto& t : Faces{{c[0], ab, ca}, {c[1], bc, ab}, {c[2], ca, bc}, {ab, bc, ca}}) result.push_back(t);
+    const auto middle = [&](int a, int b) { return point_on_edge(mesh, 2, a, b, 1); };
+    if (d > 2) {
+      for (const auto& face : grid_by_hand(mesh, f, d)) result.push_back(face);
+    } else if (triangles) {
+      const int ab = middle(c[0], c[1]), bc = middle(c[1], c[2]), ca = middle(c[2], c[0]);
+      for (const auto& face : Faces{{c[0], ab, ca}, {c[1], bc, ab}, {c[2], ca, bc}, {ab, bc, ca}}) result.push_back(face);
     } else {
-      std::map<std::pair<int, int>, int> place;
-      int inner = first_face + (triangles ? (d - 1) * (d - 2) / 2 : (d - 1) * (d - 1)) * f;
-      for (int y = 0; y <= d; ++y)
-        for (int x = 0; x <= (triangles ? d - y : d); ++x) {
-          const bool on_x = y == 0, on_y = x == 0, far_x = triangles ? x + y == d : x == d, far_y = !triangles && y == d;
-          int& v = place[{x, y}];
-          if (on_x && on_y) v = c[0];
-          else if (on_x && x == d) v = c[1];
-          else if (triangles && y == d) v = c[2];
-          else if (far_x && far_y) v = c[2];
-          else if (on_y && far_y) v = c[3];
-          else if (on_x) v = on_edge(c[0], c[1], x);
-          else if (far_x) v = on_edge(c[1], c[2], y);
-          else if (far_y) v = on_edge(c[3], c[2], x);
-          else if (on_y) v = on_edge(c[0], c[Mesh::i(n - 1)], y);
-          else v = inner++;
-        }
-      for (int y = 0; y < d; ++y)
-        for (int x = 0; x < (triangles ? d - y : d); ++x) {
-          const auto at = [&](int i, int j) { return place.at({i, j}); };
-          if (!triangles) {
-            result.push_back({at(x, y), at(x + 1, y), at(x + 1, y + 1), at(x, y + 1)});
-            continue;
-          }
-          result.push_back({at(x, y), at(x + 1, y), at(x, y + 1)});
-          if (x + y < d - 1) result.push_back({at(x + 1, y), at(x + 1, y + 1), at(x, y + 1)});
-        }
+      for (std::size_t j = 0; j < c.size(); ++j) {
+        const int before = c[(j + c.size() - 1) % c.size()], after = c[(j + 1) % c.size()];
+        result.push_back({c[j], middle(c[j], after), mesh.vertices() + mesh.edges() + f, middle(before, c[j])});
+      }
     }
   }
   return result;
@@ -172,7 +184,8 @@ TEST_SUITE("operators") {
         CHECK(faces_of(dual.mesh) == dual_by_hand(named.mesh, tags));
         CHECK(dual.mesh.vertices() == dual_rows(named.mesh, tags));
         check_connectivity(dual.mesh);
-        CHECK(std::count(dual.tags.corner.begin(), dual.tags.corner.end(), 1) == std::count(tags.corner.begin(), tags.corner.end(), 1));
+        CHECK(std::count(dual.tags.corner.begin(), dual.tags.corner.end(), 1) ==
+              std::count(tags.corner.begin(), tags.corner.end(), 1));
       }
     }
     for (int trial = 0; trial < 60; ++trial) {
@@ -278,10 +291,10 @@ TEST_SUITE("operators") {
     for (int e = 0; e < surface.mesh->edges(); ++e)
       if (surface.mesh->is_boundary_edge(e)) row[e] = next++;
     const int corner = next;
-    CHECK(tag_between(dual.mesh, dual.tags, 0, 1) == EdgeTag::latitude);                                                  // crosses 1-4
-    CHECK(tag_between(dual.mesh, dual.tags, 0, row.at(edge_of(0, 1))) == EdgeTag::longitude);                             // crosses 0-1
-    CHECK(tag_between(dual.mesh, dual.tags, row.at(edge_of(0, 1)), row.at(edge_of(1, 2))) == EdgeTag::latitude);          // past 1
-    CHECK(tag_between(dual.mesh, dual.tags, row.at(edge_of(0, 3)), row.at(edge_of(0, 1))) == EdgeTag::none);              // past 0
+    CHECK(tag_between(dual.mesh, dual.tags, 0, 1) == EdgeTag::latitude);                                          // crosses 1-4
+    CHECK(tag_between(dual.mesh, dual.tags, 0, row.at(edge_of(0, 1))) == EdgeTag::longitude);                     // crosses 0-1
+    CHECK(tag_between(dual.mesh, dual.tags, row.at(edge_of(0, 1)), row.at(edge_of(1, 2))) == EdgeTag::latitude);  // past 1
+    CHECK(tag_between(dual.mesh, dual.tags, row.at(edge_of(0, 3)), row.at(edge_of(0, 1))) == EdgeTag::none);      // past 0
     CHECK(tag_between(dual.mesh, dual.tags, corner, row.at(edge_of(1, 2))) == EdgeTag::latitude);
     CHECK(tag_between(dual.mesh, dual.tags, corner, row.at(edge_of(2, 5))) == EdgeTag::longitude);
     CHECK(dual.tags.corner[Mesh::i(corner)] == 1);
@@ -289,10 +302,12 @@ TEST_SUITE("operators") {
 
   TEST_CASE("what cannot be split or has no dual is named") {
     CHECK(refusal([] { split_mesh(prism(5), {3, false}); }) == "E_USPLIT: face 0 has 5 corners; U[3] splits quads only");
-    CHECK(refusal([] { split_mesh(*cube<Rational>().mesh, {2, true}); }) ==
-          "E_NOT_TRIANGLES: face 0 has 4 corners; a word `on triangles` needs a mesh of triangles");
-    CHECK(refusal([] { split_mesh(*grid<Rational>(200, 200).mesh, {1000, false}); }) ==
-          "E_TOO_LARGE: splitting 40000 faces gives 160000000000 half-edges; a mesh holds at most 2^30");
+    CHECK(refusal([] {
+            split_mesh(*cube<Rational>().mesh, {2, true});
+          }) == "E_NOT_TRIANGLES: face 0 has 4 corners; a word `on triangles` needs a mesh of triangles");
+    CHECK(refusal([] {
+            split_mesh(*grid<Rational>(200, 200).mesh, {1000, false});
+          }) == "E_TOO_LARGE: splitting 40000 faces gives 160000000000 half-edges; a mesh holds at most 2^30");
     const Mesh two = make_mesh(3, Faces{{0, 1, 2}, {2, 1, 0}});
     CHECK(refusal([&] { dual_mesh(two, {}); }) ==
           "E_VALENCE2: vertex 0 lies inside and has valence 2, so its face in the dual mesh would have two corners");

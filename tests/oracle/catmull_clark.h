@@ -1,5 +1,5 @@
-// Catmull-Clark as the textbooks have it, on lists of faces: face points, edge points, vertex points, cubic spline boundaries, corners.
-// Shares nothing with operators/ but the number types.
+// Catmull-Clark as the textbooks have it, on lists of faces: face points, edge points, vertex points, cubic spline boundaries,
+// corners. Shares nothing with operators/ but the number types.
 #pragma once
 
 #include <map>
@@ -63,7 +63,8 @@ void boundary_vertices(const EdgeTable& table, const Points<S>& points, const st
 }
 
 template <class S>
-Refined<S> catmull_clark_step(const std::vector<std::vector<int>>& faces, const Points<S>& points, const std::vector<char>& corner = {}) {
+Refined<S> catmull_clark_step(const std::vector<std::vector<int>>& faces, const Points<S>& points,
+                              const std::vector<char>& corner = {}) {
   const EdgeTable table(faces);
   const int v0 = static_cast<int>(points.rows()), e0 = static_cast<int>(table.edges.size()), f0 = static_cast<int>(faces.size());
   Refined<S> result{{}, Points<S>::Zero(v0 + e0 + f0, points.cols())};
@@ -77,10 +78,12 @@ Refined<S> catmull_clark_step(const std::vector<std::vector<int>>& faces, const 
   for (int e = 0; e < e0; ++e) {
     const auto& edge = table.edges[static_cast<std::size_t>(e)];
     fine.row(v0 + e) = middle(points, edge.a, edge.b);
-    if (edge.faces.size() == 2) fine.row(v0 + e) = (fine.row(v0 + e) + middle(fine, v0 + e0 + edge.faces[0], v0 + e0 + edge.faces[1])) / S(2);
+    if (edge.faces.size() == 2)
+      fine.row(v0 + e) = (fine.row(v0 + e) + middle(fine, v0 + e0 + edge.faces[0], v0 + e0 + edge.faces[1])) / S(2);
   }
   // (Q + 2 R + (n - 3) V)/n, with Q the mean of the face points and R that of the edge midpoints
-  for (int v = 0; v < v0; ++v) fine.row(v) = S(valence[static_cast<std::size_t>(v)] - 3) * points.row(v) / S(valence[static_cast<std::size_t>(v)]);
+  for (int v = 0; v < v0; ++v)
+    fine.row(v) = S(valence[static_cast<std::size_t>(v)] - 3) * points.row(v) / S(valence[static_cast<std::size_t>(v)]);
   for (int f = 0; f < f0; ++f)
     for (const int v : faces[static_cast<std::size_t>(f)]) {
       const S n(valence[static_cast<std::size_t>(v)]);

@@ -1,4 +1,5 @@
-// Random exact inputs, the same on every machine, and a catalogue of small meshes with boundaries, extraordinary vertices and n-gons.
+// Random exact inputs, the same on every machine, and a catalogue of small meshes with boundaries, extraordinary vertices and
+// n-gons.
 #pragma once
 
 #include <map>
@@ -83,14 +84,10 @@ inline Mesh dodecahedron() {
 inline Mesh l_shape() { return make_mesh(8, Faces{{0, 1, 4, 3}, {1, 2, 5, 4}, {3, 4, 7, 6}}); }
 
 inline std::vector<NamedMesh> quad_meshes() {
-  return {{"cube", *cube<Rational>().mesh},
-          {"grid", *grid<Rational>(3, 2).mesh},
-          {"L", l_shape()},
-          {"star 3", *ring_mesh(3, 2).mesh},
-          {"star 5", *ring_mesh(5, 2).mesh},
-          {"star 7", *ring_mesh(7, 1).mesh},
-          {"torus", *torus<double>(4, 3, 2, 1).mesh},
-          {"quad", make_mesh(4, Faces{{0, 1, 2, 3}})}};
+  return {
+      {"cube", *cube<Rational>().mesh},           {"grid", *grid<Rational>(3, 2).mesh},       {"L", l_shape()},
+      {"star 3", *ring_mesh(3, 2).mesh},          {"star 5", *ring_mesh(5, 2).mesh},          {"star 7", *ring_mesh(7, 1).mesh},
+      {"torus", *torus<double>(4, 3, 2, 1).mesh}, {"quad", make_mesh(4, Faces{{0, 1, 2, 3}})}};
 }
 
 inline std::vector<NamedMesh> polygon_meshes() {
@@ -113,7 +110,8 @@ inline std::vector<NamedMesh> triangle_meshes() {
   return result;
 }
 
-/// A piece of a grid with holes, some cells cut into triangles, random vertex numbers, faces in random order and turned at random.
+/// A piece of a grid with holes, some cells cut into triangles, random vertex numbers, faces in random order and turned at
+/// random.
 inline Mesh random_mesh(Dice& dice, bool quads_only = false) {
   for (;;) {
     const int nx = dice.between(1, 4), ny = dice.between(1, 4);
@@ -134,7 +132,8 @@ inline Mesh random_mesh(Dice& dice, bool quads_only = false) {
         push({v, v + 1, w + 1, w});
       }
     }
-    for (std::size_t k = 1; k < faces.size(); ++k) std::swap(faces[k], faces[static_cast<std::size_t>(dice.below(static_cast<int>(k) + 1))]);
+    for (std::size_t k = 1; k < faces.size(); ++k)
+      std::swap(faces[k], faces[static_cast<std::size_t>(dice.below(static_cast<int>(k) + 1))]);
     try {
       return make_mesh(static_cast<int>(index.size()), faces);
     } catch (const Error&) {  // cells that meet in a vertex only, or none at all: another one

@@ -44,7 +44,8 @@ Refined<S> loop_step(const std::vector<std::vector<int>>& faces, const Points<S>
   }
   for (const auto& f : faces) {
     const int ab = v0 + table.of(f[0], f[1]), bc = v0 + table.of(f[1], f[2]), ca = v0 + table.of(f[2], f[0]);
-    for (const auto& t : {std::vector<int>{f[0], ab, ca}, {f[1], bc, ab}, {f[2], ca, bc}, {ab, bc, ca}}) result.faces.push_back(t);
+    for (const auto& t : {std::vector<int>{f[0], ab, ca}, {f[1], bc, ab}, {f[2], ca, bc}, {ab, bc, ca}})
+      result.faces.push_back(t);
   }
   return result;
 }

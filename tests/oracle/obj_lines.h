@@ -39,7 +39,8 @@ inline Surface<double> as_surface(const ObjLines& lines) {
   result.mesh = std::make_shared<const Mesh>(make_mesh(static_cast<int>(lines.points.size()), lines.faces));
   result.points.resize(static_cast<Eigen::Index>(lines.points.size()), 3);
   for (std::size_t v = 0; v < lines.points.size(); ++v)
-    for (std::size_t c = 0; c < 3; ++c) result.points(static_cast<Eigen::Index>(v), static_cast<Eigen::Index>(c)) = lines.points[v][c];
+    for (std::size_t c = 0; c < 3; ++c)
+      result.points(static_cast<Eigen::Index>(v), static_cast<Eigen::Index>(c)) = lines.points[v][c];
   return result;
 }
 

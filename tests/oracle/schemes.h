@@ -33,13 +33,14 @@ inline Word catmull_clark() {
 }
 
 inline Word loop() {
-  Word result = word("UCP", nullptr, constant(Rational(0)), formula(
-                                                               [](const auto& c) {
-                                                                 using Q = std::decay_t<decltype(c.alpha)>;
-                                                                 const Q third = Q(3) / 8 + cos(Q::pi(Rational(2)) / c.valence) / 4;
-                                                                 return 1 - Q(8) / 3 * (Q(5) / 8 - third * third);
-                                                               },
-                                                               {true, false, false}));
+  Word result = word("UCP", nullptr, constant(Rational(0)),
+                     formula(
+                         [](const auto& c) {
+                           using Q = std::decay_t<decltype(c.alpha)>;
+                           const Q third = Q(3) / 8 + cos(Q::pi(Rational(2)) / c.valence) / 4;
+                           return 1 - Q(8) / 3 * (Q(5) / 8 - third * third);
+                         },
+                         {true, false, false}));
   result.triangles = true;
   return result;
 }

@@ -5,7 +5,8 @@
 
 namespace udcp::oracle {
 
-inline std::vector<Item> items(const std::string& atoms, KernelPtr f = nullptr, KernelPtr omega = nullptr, KernelPtr delta = nullptr) {
+inline std::vector<Item> items(const std::string& atoms, KernelPtr f = nullptr, KernelPtr omega = nullptr,
+                               KernelPtr delta = nullptr) {
   std::vector<Item> result;
   for (const char letter : atoms) {
     if (letter >= '0' && letter <= '9') {

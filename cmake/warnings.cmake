@@ -3,7 +3,7 @@ add_library(udcp_warnings INTERFACE)
 target_compile_options(udcp_warnings INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
   # False alarms of gcc 12 inside std::string's operator+ under -O3 (GCC bug 105651).
-  target_compile_options(udcp_warnings INTERFACE -Wno-restrict -Wno-stringop-overflow)
+  target_compile_options(udcp_warnings INTERFACE -Wno-restrict -Wno-stringop-overflow -Wno-stringop-overread -Wno-array-bounds)
 endif()
 if(UDCP_WERROR)
   target_compile_options(udcp_warnings INTERFACE -Werror)

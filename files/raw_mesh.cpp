@@ -227,7 +227,7 @@ std::vector<int> weld(const std::vector<double>& coordinates, std::vector<int>& 
   std::ranges::sort(order, [&](int a, int b) { return std::tuple{key(a), a} < std::tuple{key(b), b}; });
   for (std::size_t k = 0; k < order.size(); ++k) {
     const bool same = k > 0 && key(order[k]) == key(order[k - 1]);
-    vertex[at(order[k])] = same ? vertex[at(order[k - 1])] : order[k];  // for now: the first point there
+    vertex[at(order[k])] = same ? vertex[at(order[k - 1])] : order[k];  // the first point of the run; numbered below
   }
   kept.clear();
   for (int k = 0; k < points; ++k) {

@@ -113,7 +113,7 @@ void save_animation(const std::vector<Surface<double>>& frames, const std::files
   template Surface<S> load_bytes<S>(const std::string&, const std::string&, const std::string&, Warnings*); \
   template Polyline<S> load_curve<S>(const std::filesystem::path&, Warnings*);                              \
   template Polyline<S> load_curve_bytes<S>(const std::string&, const std::string&, Warnings*);
-UDCP_FOR_EACH_NUMBER(UDCP_LOAD)
+UDCP_FOR_EACH_COORDINATE(UDCP_LOAD)
 #undef UDCP_LOAD
 
 }  // namespace udcp

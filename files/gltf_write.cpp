@@ -1,10 +1,14 @@
-// glTF 2.0 and GLB output: triangles with positions, normals and colours as floats; several shapes in one scene, or frames as
-// morph targets with an animation of their weights. What is written passes the Khronos validator without errors and warnings.
+// glTF 2.0 and GLB output by tinygltf: triangles with positions, normals and colours as floats; several shapes in one scene, or
+// frames as morph targets with an animation of their weights. What is written passes the Khronos validator without errors and
+// warnings.
+#include <tiny_gltf.h>
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "files/colour_map.h"
 #include "files/raw_mesh.h"
@@ -13,122 +17,110 @@
 namespace udcp {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-enum Target { no_target = 0, vertex_data = 34962, index_data = 34963 };
-
-constexpr int type_ubyte = 5121, type_ushort = 5123, type_uint = 5125, type_float = 5126;
+enum Target { no_target = 0, vertex_data = TINYGLTF_TARGET_ARRAY_BUFFER, index_data = TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER };
 
 /// Points and vectors as floats, three a row.
 using Floats = std::vector<float>;
 
-void put(std::string& bytes, std::uint32_t value, std::size_t size = 4) {
-  for (std::size_t k = 0; k < size; ++k) bytes.push_back(static_cast<char>(value >> (8 * k) & 0xff));
+/// The text in UTF-8, with a replacement character for every byte that is not; tinygltf throws at such bytes.
+std::string readable(const std::string& text) {
+  using Json = nlohmann::json;
+  return Json::parse(Json(text).dump(-1, ' ', false, Json::error_handler_t::replace)).get<std::string>();
 }
 
-/// The growing document and its one buffer.
+/// The growing model and its one buffer.
 class Document {
  public:
   Document() {
-    root_["asset"] = {{"version", "2.0"}, {"generator", "udcp"}};
-    root_["scene"] = 0;
-    root_["scenes"] = Json::array({{{"nodes", Json::array()}}});
-    root_["nodes"] = Json::array();
-    root_["materials"] =
-        Json::array({{{"pbrMetallicRoughness", {{"metallicFactor", 0.0}, {"roughnessFactor", 0.7}}}, {"doubleSided", true}}});
-    root_["meshes"] = Json::array();
+    model_.asset.generator = "udcp";
+    model_.defaultScene = 0;
+    model_.scenes.resize(1);
+    model_.buffers.resize(1);
+    tinygltf::Material material;
+    material.pbrMetallicRoughness.metallicFactor = 0;
+    material.pbrMetallicRoughness.roughnessFactor = 0.7;
+    material.doubleSided = true;
+    model_.materials.push_back(material);
   }
 
-  Json& operator[](const char* key) { return root_[key]; }
+  tinygltf::Model& model() { return model_; }
 
-  int add_floats(const Floats& values, int columns, Target target, bool bounds) {
-    const std::size_t start = bytes_.size();
-    for (const float value : values) put(bytes_, std::bit_cast<std::uint32_t>(value));
-    const int index = add_accessor(start, type_float, values.size() / static_cast<std::size_t>(columns), columns, target);
-    if (bounds) add_bounds(accessors_.back(), values, static_cast<std::size_t>(columns));
+  int add_floats(const Floats& values, int type, Target target, bool bounds) {
+    const std::size_t start = bytes().size();
+    for (const float value : values) put(std::bit_cast<std::uint32_t>(value), 4);
+    const auto columns = static_cast<std::size_t>(tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(type)));
+    const int index = add_accessor(start, TINYGLTF_COMPONENT_TYPE_FLOAT, values.size() / columns, type, target);
+    if (bounds) add_bounds(model_.accessors.back(), values, columns);
     return index;
   }
   int add_colours(const std::vector<Colour>& colours) {
-    const std::size_t start = bytes_.size();
+    const std::size_t start = bytes().size();
     for (const Colour& colour : colours) {
-      for (const double channel : colour) bytes_.push_back(static_cast<char>(std::lround(255 * channel)));
-      bytes_.push_back('\xff');
+      for (const double channel : colour) put(static_cast<std::uint32_t>(std::lround(255 * channel)), 1);
+      put(255, 1);
     }
-    const int index = add_accessor(start, type_ubyte, colours.size(), 4, vertex_data);
-    accessors_.back()["normalized"] = true;
+    const int index = add_accessor(start, TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE, colours.size(), TINYGLTF_TYPE_VEC4, vertex_data);
+    model_.accessors.back().normalized = true;
     return index;
   }
   int add_indices(const std::vector<std::array<int, 3>>& triangles, int vertices) {
-    const std::size_t start = bytes_.size();
+    const std::size_t start = bytes().size();
     const bool small = vertices <= 65535;  // 65535 itself is not a legal index
     for (const auto& triangle : triangles) {
-      for (const int v : triangle) put(bytes_, static_cast<std::uint32_t>(v), small ? 2 : 4);
+      for (const int v : triangle) put(static_cast<std::uint32_t>(v), small ? 2 : 4);
     }
-    return add_accessor(start, small ? type_ushort : type_uint, 3 * triangles.size(), 1, index_data);
+    return add_accessor(start, small ? TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT : TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT,
+                        3 * triangles.size(), TINYGLTF_TYPE_SCALAR, index_data);
   }
 
   std::string finish(bool binary) {
-    root_["accessors"] = accessors_;
-    root_["bufferViews"] = views_;
-    Json buffer{{"byteLength", bytes_.size()}};
-    if (!binary) buffer["uri"] = "data:application/octet-stream;base64," + base64();
-    root_["buffers"] = Json::array({buffer});
-    std::string text = root_.dump(binary ? -1 : 1, ' ', false, Json::error_handler_t::replace);
-    if (!binary) return text + "\n";
-    text.resize((text.size() + 3) / 4 * 4, ' ');
-    const std::size_t total = 12 + 8 + text.size() + 8 + bytes_.size();
-    if (total > std::numeric_limits<std::uint32_t>::max()) {
-      throw Error(ErrorKind::limit, "E_TOO_LARGE", "a GLB file cannot hold more than 4 GiB", "refine less, or save as PLY");
-    }
-    std::string out = "glTF";
-    out.reserve(total);
-    put(out, 2);
-    put(out, static_cast<std::uint32_t>(total));
-    put(out, static_cast<std::uint32_t>(text.size()));
-    out += "JSON" + text;
-    put(out, static_cast<std::uint32_t>(bytes_.size()));
-    return (out += std::string("BIN\0", 4)) += bytes_;
+    expect_size(bytes().size());
+    std::ostringstream out;
+    const bool good = tinygltf::TinyGLTF().WriteGltfSceneToStream(&model_, out, !binary, binary);
+    if (!good || !out) throw Error(ErrorKind::internal, "E_INTERNAL", "tinygltf cannot write the scene");
+    if (binary) expect_size(out.view().size());
+    return std::move(out).str();
   }
 
  private:
-  int add_accessor(std::size_t start, int component, std::size_t count, int columns, Target target) {
-    Json view{{"buffer", 0}, {"byteOffset", start}, {"byteLength", bytes_.size() - start}};
-    if (target != no_target) view["target"] = static_cast<int>(target);
-    bytes_.resize((bytes_.size() + 3) / 4 * 4, '\0');
-    const char* types[] = {"", "SCALAR", "VEC2", "VEC3", "VEC4"};
-    accessors_.push_back(
-        {{"bufferView", views_.size()}, {"componentType", component}, {"count", count}, {"type", types[columns]}});
-    views_.push_back(view);
-    return static_cast<int>(accessors_.size()) - 1;
+  std::vector<unsigned char>& bytes() { return model_.buffers[0].data; }
+  void put(std::uint32_t value, std::size_t size) {
+    for (std::size_t k = 0; k < size; ++k) bytes().push_back(static_cast<unsigned char>(value >> (8 * k) & 0xff));
   }
-  static void add_bounds(Json& accessor, const Floats& values, std::size_t columns) {
-    Json low = Json::array(), high = Json::array();
+  /// tinygltf counts bytes in 32 bits and does not check.
+  static void expect_size(std::size_t size) {
+    if (size <= std::numeric_limits<std::uint32_t>::max()) return;
+    throw Error(ErrorKind::limit, "E_TOO_LARGE", "a glTF file cannot hold more than 4 GiB", "refine less, or save as PLY");
+  }
+  int add_accessor(std::size_t start, int component, std::size_t count, int type, Target target) {
+    tinygltf::BufferView view;
+    view.buffer = 0;
+    view.byteOffset = start;
+    view.byteLength = bytes().size() - start;
+    view.target = target;
+    bytes().resize((bytes().size() + 3) / 4 * 4);
+    tinygltf::Accessor accessor;
+    accessor.bufferView = static_cast<int>(model_.bufferViews.size());
+    accessor.componentType = component;
+    accessor.count = count;
+    accessor.type = type;
+    model_.bufferViews.push_back(std::move(view));
+    model_.accessors.push_back(std::move(accessor));
+    return static_cast<int>(model_.accessors.size()) - 1;
+  }
+  static void add_bounds(tinygltf::Accessor& accessor, const Floats& values, std::size_t columns) {
     for (std::size_t c = 0; c < columns; ++c) {
       float least = values[c], most = values[c];
       for (std::size_t k = c; k < values.size(); k += columns) {
         least = std::min(least, values[k]);
         most = std::max(most, values[k]);
       }
-      low.push_back(double{least});
-      high.push_back(double{most});
+      accessor.minValues.push_back(double{least});
+      accessor.maxValues.push_back(double{most});
     }
-    accessor["min"] = low;
-    accessor["max"] = high;
-  }
-  [[nodiscard]] std::string base64() const {
-    constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string out;
-    for (std::size_t k = 0; k < bytes_.size(); k += 3) {
-      std::uint32_t bits = 0;
-      const std::size_t have = std::min<std::size_t>(3, bytes_.size() - k);
-      for (std::size_t b = 0; b < 3; ++b) bits = bits << 8 | (b < have ? static_cast<unsigned char>(bytes_[k + b]) : 0U);
-      for (std::size_t d = 0; d < 4; ++d) out += d <= have ? digits[bits >> (18 - 6 * d) & 63] : '=';
-    }
-    return out;
   }
 
-  Json root_, accessors_ = Json::array(), views_ = Json::array();
-  std::string bytes_;
+  tinygltf::Model model_;
 };
 
 Floats positions_of(const Surface<double>& surface) {
@@ -174,32 +166,40 @@ std::vector<Colour> colours_of(const Surface<double>& surface, const std::string
   return result;
 }
 
-Json extras_of(const SaveOptions& options) {
-  Json extras = Json::object();
-  if (!options.word.empty()) extras["word"] = options.word;
-  if (!options.parameters.empty()) extras["parameters"] = options.parameters;
-  return extras;
+tinygltf::Value extras_of(const SaveOptions& options) {
+  using tinygltf::Value;
+  Value::Object extras, parameters;
+  if (!options.word.empty()) extras.emplace("word", Value(readable(options.word)));
+  for (const auto& [name, value] : options.parameters) parameters.emplace(readable(name), Value(readable(value)));
+  if (!parameters.empty()) extras.emplace("parameters", Value(std::move(parameters)));
+  return extras.empty() ? Value() : Value(std::move(extras));
 }
 
-/// Mesh and node of one shape; returns the primitive for whoever adds targets.
+/// Mesh and node of one shape.
 void add_shape(Document& document, const SceneShape& shape) {
   const Surface<double>& surface = *shape.surface;
   check_for_floats(surface);
-  Json attributes;
-  attributes["POSITION"] = document.add_floats(positions_of(surface), 3, vertex_data, true);
-  attributes["NORMAL"] = document.add_floats(normals_of(surface, shape.options), 3, vertex_data, false);
+  tinygltf::Primitive primitive;
+  primitive.mode = TINYGLTF_MODE_TRIANGLES;
+  primitive.material = 0;
+  primitive.attributes["POSITION"] = document.add_floats(positions_of(surface), TINYGLTF_TYPE_VEC3, vertex_data, true);
+  primitive.attributes["NORMAL"] =
+      document.add_floats(normals_of(surface, shape.options), TINYGLTF_TYPE_VEC3, vertex_data, false);
   if (!shape.options.colour_attribute.empty()) {
-    attributes["COLOR_0"] = document.add_colours(colours_of(surface, shape.options.colour_attribute));
+    primitive.attributes["COLOR_0"] = document.add_colours(colours_of(surface, shape.options.colour_attribute));
   }
-  const int indices = document.add_indices(triangles(surface), surface.mesh->vertices());
-  Json mesh{{"primitives", Json::array({{{"attributes", attributes}, {"indices", indices}, {"material", 0}}})}};
-  Json node{{"mesh", document["meshes"].size()}};
-  if (!shape.name.empty()) mesh["name"] = node["name"] = shape.name;
-  if (const Json extras = extras_of(shape.options); !extras.empty()) mesh["extras"] = extras;
-  if (shape.place != std::array<double, 3>{0, 0, 0}) node["translation"] = shape.place;
-  document["scenes"][0]["nodes"].push_back(document["nodes"].size());
-  document["nodes"].push_back(node);
-  document["meshes"].push_back(mesh);
+  primitive.indices = document.add_indices(triangles(surface), surface.mesh->vertices());
+  tinygltf::Model& model = document.model();
+  tinygltf::Mesh mesh;
+  tinygltf::Node node;
+  mesh.name = node.name = readable(shape.name);
+  mesh.extras = extras_of(shape.options);
+  mesh.primitives.push_back(std::move(primitive));
+  node.mesh = static_cast<int>(model.meshes.size());
+  if (shape.place != std::array<double, 3>{0, 0, 0}) node.translation.assign(shape.place.begin(), shape.place.end());
+  model.scenes[0].nodes.push_back(static_cast<int>(model.nodes.size()));
+  model.nodes.push_back(std::move(node));
+  model.meshes.push_back(std::move(mesh));
 }
 
 Floats difference(const Floats& a, const Floats& b) {
@@ -230,10 +230,17 @@ void add_animation(Document& document, std::size_t frames, double frames_per_sec
     times.push_back(static_cast<float>(static_cast<double>(k) / frames_per_second));
     for (std::size_t target = 1; target < frames; ++target) weights.push_back(target == k ? 1.0F : 0.0F);
   }
-  const int input = document.add_floats(times, 1, no_target, true), output = document.add_floats(weights, 1, no_target, false);
-  document["animations"] =
-      Json::array({{{"channels", Json::array({{{"sampler", 0}, {"target", {{"node", 0}, {"path", "weights"}}}}})},
-                    {"samplers", Json::array({{{"input", input}, {"interpolation", "LINEAR"}, {"output", output}}})}}});
+  tinygltf::AnimationSampler sampler;
+  sampler.input = document.add_floats(times, TINYGLTF_TYPE_SCALAR, no_target, true);
+  sampler.output = document.add_floats(weights, TINYGLTF_TYPE_SCALAR, no_target, false);
+  tinygltf::AnimationChannel channel;
+  channel.sampler = 0;
+  channel.target_node = 0;
+  channel.target_path = "weights";
+  tinygltf::Animation animation;
+  animation.samplers.push_back(sampler);
+  animation.channels.push_back(channel);
+  document.model().animations.push_back(animation);
 }
 
 }  // namespace
@@ -254,14 +261,13 @@ std::string write_gltf_animation(const std::vector<Surface<double>>& frames, boo
   const Floats points = positions_of(frames[0]), normals = normals_of(frames[0], options);
   SaveOptions plain = options;
   plain.normals = nullptr;  // they belong to frame 0
-  Json targets = Json::array();
+  tinygltf::Mesh& mesh = document.model().meshes[0];
   for (std::size_t k = 1; k < frames.size(); ++k) {
-    const int moved = document.add_floats(difference(positions_of(frames[k]), points), 3, vertex_data, true);
-    const int turned = document.add_floats(difference(normals_of(frames[k], plain), normals), 3, vertex_data, false);
-    targets.push_back({{"POSITION", moved}, {"NORMAL", turned}});
+    const Floats moved = difference(positions_of(frames[k]), points), turned = difference(normals_of(frames[k], plain), normals);
+    mesh.primitives[0].targets.push_back({{"POSITION", document.add_floats(moved, TINYGLTF_TYPE_VEC3, vertex_data, true)},
+                                          {"NORMAL", document.add_floats(turned, TINYGLTF_TYPE_VEC3, vertex_data, false)}});
   }
-  document["meshes"][0]["primitives"][0]["targets"] = targets;
-  document["meshes"][0]["weights"] = std::vector<double>(frames.size() - 1, 0.0);
+  mesh.weights.assign(frames.size() - 1, 0.0);
   add_animation(document, frames.size(), frames_per_second);
   return document.finish(binary);
 }

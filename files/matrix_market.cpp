@@ -74,7 +74,7 @@ std::string matrix_market(const Points<S>& matrix, MatrixLayout layout, const st
 }
 
 #define UDCP_MATRIX_MARKET(S) template std::string matrix_market(const Points<S>&, MatrixLayout, const std::string&);
-UDCP_FOR_EACH_NUMBER(UDCP_MATRIX_MARKET)
+UDCP_FOR_EACH_COORDINATE(UDCP_MATRIX_MARKET)
 #undef UDCP_MATRIX_MARKET
 
 }  // namespace udcp

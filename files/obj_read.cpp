@@ -342,7 +342,7 @@ Polyline<S> read_obj_curve(const Input& input) {
 #define UDCP_READ_OBJ(S)                         \
   template RawMesh<S> read_obj<S>(const Input&); \
   template Polyline<S> read_obj_curve<S>(const Input&);
-UDCP_FOR_EACH_NUMBER(UDCP_READ_OBJ)
+UDCP_FOR_EACH_COORDINATE(UDCP_READ_OBJ)
 #undef UDCP_READ_OBJ
 
 }  // namespace udcp

@@ -168,7 +168,7 @@ std::string write_off(const Surface<double>& surface, const SaveOptions& options
 }
 
 #define UDCP_READ_OFF(S) template RawMesh<S> read_off<S>(const Input&);
-UDCP_FOR_EACH_NUMBER(UDCP_READ_OFF)
+UDCP_FOR_EACH_COORDINATE(UDCP_READ_OFF)
 #undef UDCP_READ_OFF
 
 }  // namespace udcp

@@ -392,7 +392,7 @@ RawMesh<S> read_ply(const Input& input) {
 }
 
 #define UDCP_READ_PLY(S) template RawMesh<S> read_ply<S>(const Input&);
-UDCP_FOR_EACH_NUMBER(UDCP_READ_PLY)
+UDCP_FOR_EACH_COORDINATE(UDCP_READ_PLY)
 #undef UDCP_READ_PLY
 
 }  // namespace udcp

@@ -274,7 +274,7 @@ Surface<S> build(RawMesh<S> raw, const Input& input) {
 }
 
 #define UDCP_BUILD(S) template Surface<S> build(RawMesh<S>, const Input&);
-UDCP_FOR_EACH_NUMBER(UDCP_BUILD)
+UDCP_FOR_EACH_COORDINATE(UDCP_BUILD)
 #undef UDCP_BUILD
 
 }  // namespace udcp

@@ -139,7 +139,7 @@ std::int64_t Scanner::integer_of(std::string_view found, const char* what) const
 }
 
 #define UDCP_TO_NUMBER(S) template NumberError to_number(std::string_view, S&);
-UDCP_FOR_EACH_NUMBER(UDCP_TO_NUMBER)
+UDCP_FOR_EACH_COORDINATE(UDCP_TO_NUMBER)
 #undef UDCP_TO_NUMBER
 
 }  // namespace udcp

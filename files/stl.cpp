@@ -161,7 +161,7 @@ std::string write_stl(const Surface<double>& surface, const SaveOptions& options
 }
 
 #define UDCP_READ_STL(S) template RawMesh<S> read_stl<S>(const Input&);
-UDCP_FOR_EACH_NUMBER(UDCP_READ_STL)
+UDCP_FOR_EACH_COORDINATE(UDCP_READ_STL)
 #undef UDCP_READ_STL
 
 }  // namespace udcp

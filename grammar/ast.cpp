@@ -19,7 +19,7 @@ struct Equality {
     return equal_lists(a, b, [](const ExprPtr& x, const ExprPtr& y) { return equal(x, y); });
   }
 
-  static bool equal(const Argument& a, const Argument& b) { return a.name == b.name && equal(a.value, b.value); }
+  static bool equal(const Argument& a, const Argument& b) { return a.name == b.name && a.in == b.in && equal(a.value, b.value); }
   static bool equal(const std::vector<Argument>& a, const std::vector<Argument>& b) {
     return equal_lists(a, b, [](const Argument& x, const Argument& y) { return equal(x, y); });
   }

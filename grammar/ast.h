@@ -69,11 +69,12 @@ struct Binding {
   Span span;
 };
 
-/// An empty name marks a positional argument.
+/// An empty name marks a positional argument. name = value; or name in set, as in the domains of claims.
 struct Argument {
   std::string name;
   ExprPtr value;
   Span span;
+  bool in = false;  // name in set
 };
 struct Call {
   std::string name;

@@ -138,14 +138,19 @@ void Builder::close(Span span) {
 }
 
 void Builder::entry_sign() { opens_.back().sign_seen = true; }
+void Builder::entry_in() { opens_.back().sign_seen = opens_.back().in_seen = true; }
 
 void Builder::entry() {
   Open& open = opens_.back();
   Entry entry;
-  if (open.sign_seen) entry.right = take();
+  entry.in = open.in_seen;
+  if (open.in_seen)
+    entry.right = take_set();
+  else if (open.sign_seen)
+    entry.right = take();
   entry.left = take_raw();
   if (!open.sign_seen) seal(entry.left, text_);
-  open.sign_seen = false;
+  open.sign_seen = open.in_seen = false;
   open.entries.push_back(std::move(entry));
 }
 
@@ -195,8 +200,8 @@ std::vector<Argument> Builder::arguments(std::vector<Entry>& entries, std::size_
     if (entry.right) {
       const Name* name = std::get_if<Name>(&entry.left.expr.node);
       if (!name || entry.left.bracketed || !entry.left.direction.empty()) {
-        syntax_error("the left side of = must be the name of an argument", entry.left.expr.span, "not a name",
-                     "write name = value; == compares two values");
+        syntax_error(std::string("the left side of ") + (entry.in ? "in" : "=") + " must be the name of an argument",
+                     entry.left.expr.span, "not a name", "write name = value; == compares two values");
       }
       argument.name = name->name;
       if (!seen.insert(argument.name).second) {
@@ -208,6 +213,7 @@ std::vector<Argument> Builder::arguments(std::vector<Entry>& entries, std::size_
     Draft& draft = entry.right ? *entry.right : entry.left;
     depth = std::max(depth, draft.depth + 1);
     argument.value = node(std::move(draft));
+    argument.in = entry.in;
     result.push_back(std::move(argument));
   }
   return result;
@@ -216,6 +222,7 @@ std::vector<Argument> Builder::arguments(std::vector<Entry>& entries, std::size_
 Binding Builder::binding(Entry& entry, std::size_t& depth) {
   Binding binding;
   const Span left = entry.left.expr.span;
+  if (entry.in) syntax_error("a binding has one value", left, "in", "write name = value");
   binding.direction = entry.left.direction;
   binding.span = {left.begin, entry.right->expr.span.end};
   const Call* call = std::get_if<Call>(&entry.left.expr.node);

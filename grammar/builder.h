@@ -16,6 +16,7 @@ namespace udcp::grammar {
 struct Entry {
   Draft left;
   std::optional<Draft> right;
+  bool in = false;  // name in set
 };
 
 class Builder {
@@ -42,6 +43,7 @@ class Builder {
   void open(Span span);
   void close(Span span);
   void entry_sign();
+  void entry_in();
   void entry();
   void call_done();
   void bracket();
@@ -99,6 +101,7 @@ class Builder {
     std::size_t first_value = 0;
     bool sign_seen = false;
     std::vector<Entry> entries;
+    bool in_seen = false;
   };
   struct Verb {
     std::string name;
@@ -110,6 +113,7 @@ class Builder {
   void count();
   Draft take();      // the top value, sealed
   Draft take_raw();  // as it is
+  Draft take_set();  // [a, b] is an interval, not a list
   void reduce();     // applies the top operator
   void reduce_to(int precedence, bool also_equal);
   std::vector<Argument> arguments(std::vector<Entry>& entries, std::size_t& depth);

@@ -125,10 +125,15 @@ void Builder::printed() { printed_.push_back(value()); }
 void Builder::print() { node_ = Print{std::exchange(printed_, {})}; }
 void Builder::assertion() { node_ = Assert{value()}; }
 
-void Builder::domain() {
+Draft Builder::take_set() {
   Draft set = take_raw();
   list_to_interval(set);
   if (!std::holds_alternative<Interval>(set.expr.node) || set.bracketed) seal(set, text_);
+  return set;
+}
+
+void Builder::domain() {
+  Draft set = take_set();
   const Span name = values_.back().expr.span;
   const Span span{name.begin, set.expr.span.end};
   ExprPtr values = node(std::move(set));

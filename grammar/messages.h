@@ -39,6 +39,7 @@ UDCP_MESSAGE(operand, value, "a value or a word is expected", "here",
              "write a number, a name, a word such as (UCP)*, or an expression");
 UDCP_MESSAGE(right_side, value, "a value is expected after the operator", "here",
              "write a number, a name or an expression on both sides");
+UDCP_MESSAGE(entry_set, value, "a set is expected after in", "here", "write name in 0 .. 1 or name in (0, 1)");
 UDCP_MESSAGE(entry_value, value, "a value is expected after =", "here", "write name = value");
 UDCP_MESSAGE(next_entry, value, "an argument is expected after the comma", "here",
              "write a value or name = value, or leave the comma out");

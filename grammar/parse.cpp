@@ -62,6 +62,7 @@ UDCP_TOKEN(close_item, close);
 UDCP_TOKEN(open_bindings, open);
 UDCP_TOKEN(close_bindings, close);
 UDCP_DONE(entry_sign, entry_sign());
+UDCP_DONE(entry_in, entry_in());
 UDCP_DONE(entry, entry());
 UDCP_DONE(binding_sign, entry_sign());
 UDCP_DONE(binding, entry());

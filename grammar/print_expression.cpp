@@ -131,7 +131,7 @@ struct Printer {
     out += '(';
     nested([&] {
       list(given, [this](const Argument& argument) {
-        if (!argument.name.empty()) out += argument.name + " = ";
+        if (!argument.name.empty()) out += argument.name + (argument.in ? " in " : " = ");
         put(argument.value, pipe_level);
       });
     });

@@ -16,7 +16,9 @@ std::size_t size_in_bits(const Algebraic& value) {
   for (const Rational& c : value.coefficients()) bits += c.bits();
   return bits;
 }
+std::size_t size_in_bits(const Parametric& value) { return value.bits(); }
 std::size_t size_in_bits(const Interval&) { return 0; }
+std::size_t size_in_bits(const Jet&) { return 0; }
 std::size_t size_in_bits(double) { return 0; }
 
 template <class S>
@@ -47,6 +49,9 @@ Result promote(const std::vector<NumberValue>& operands, F f) {
   };
   bool enclosed = false;
   for (const NumberValue& v : operands) {
+    if (std::holds_alternative<Parametric>(v.value)) return Result(all(std::type_identity<Parametric>{}));
+  }
+  for (const NumberValue& v : operands) {
     if (std::holds_alternative<double>(v.value)) return Result(all(std::type_identity<double>{}));
     enclosed = enclosed || std::holds_alternative<Interval>(v.value);
   }
@@ -65,6 +70,14 @@ struct Wrapped {
   NumberValue number;
   explicit Wrapped(const Quantity<double>& q) : number{q.value()} {}
   explicit Wrapped(const Quantity<Algebraic>& q) : number{q} {}
+  explicit Wrapped(const Quantity<Parametric>& q) {
+    if (q.kind() == Quantity<Parametric>::Kind::number) {
+      number.value = q.value();
+    } else {
+      number.value =
+          q.kind() == Quantity<Parametric>::Kind::rational ? Quantity<Algebraic>(q.exact()) : Quantity<Algebraic>::pi(q.exact());
+    }
+  }
   explicit Wrapped(const Quantity<Interval>& q) {
     if (q.kind() == Quantity<Interval>::Kind::number)
       number.value = q.value();
@@ -73,6 +86,18 @@ struct Wrapped {
           q.kind() == Quantity<Interval>::Kind::rational ? Quantity<Algebraic>(q.exact()) : Quantity<Algebraic>::pi(q.exact());
   }
 };
+
+/// quantity<S> of a function of the parameters of a claim.
+template <class S>
+S from_parametric(const Parametric& value) {
+  throw Error(ErrorKind::not_exact, "E_PARAMETER",
+              value.to_string().substr(0, 200) + " depends on the parameters of a claim and has no value",
+              "claims over parameters speak of words whose weights are rational functions of them");
+}
+template <>
+Parametric from_parametric<Parametric>(const Parametric& value) {
+  return value;
+}
 
 /// quantity<S> of an enclosure or a double, by number type.
 template <class S>
@@ -83,6 +108,10 @@ S from_interval(const Interval&) {
 template <>
 Interval from_interval<Interval>(const Interval& value) {
   return value;
+}
+template <>
+Jet from_interval<Jet>(const Interval& value) {
+  return Jet(value);
 }
 template <>
 double from_interval<double>(const Interval& value) {
@@ -151,6 +180,7 @@ template <class S>
 Quantity<S> quantity(const NumberValue& number_value) {
   if (const auto* exact = std::get_if<Quantity<Algebraic>>(&number_value.value))
     return convert_quantity<S, Algebraic>(*exact, [](const Algebraic& value) { return number<S>(value); });
+  if (const auto* function = std::get_if<Parametric>(&number_value.value)) return Quantity<S>::of(from_parametric<S>(*function));
   if (const auto* enclosure = std::get_if<Interval>(&number_value.value)) return Quantity<S>::of(from_interval<S>(*enclosure));
   return Quantity<S>::of(number_from_double<S>(std::get<double>(number_value.value)));
 }

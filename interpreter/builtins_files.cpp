@@ -83,6 +83,7 @@ void add_layers(const CurveValue& curve, std::vector<SvgLayer>& layers) {
 
 void save_picture(const Value& value, const std::filesystem::path& path, const Arguments& a) {
   if (const auto* mesh = value.as<MeshValue>()) return write_file(path, svg_mesh(as_double(*mesh), picture_options(a)));
+  if (const auto* report = value.as<ReportValue>(); report && report->picture) return write_file(path, report->picture());
   std::vector<SvgLayer> layers;
   if (const auto* curve = value.as<CurveValue>()) {
     add_layers(*curve, layers);
@@ -142,6 +143,8 @@ Value save_value(CallContext& context, const Arguments& a) {
     save(as_double(*curve), path);
   } else if (const auto* matrix = value.as<MatrixValue>()) {
     save_matrix(*matrix, path);
+  } else if (const auto* report = value.as<ReportValue>(); report && report->latex && extension == ".tex") {
+    write_file(path, report->latex());
   } else if (extension == ".txt") {
     write_file(path, to_text(value) + "\n");
   } else {

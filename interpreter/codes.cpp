@@ -70,6 +70,22 @@ constexpr CodeEntry table[] = {
      "gives the matrix on a closed curve."},
     {"E_MATRIX_RINGS", "W23", "a neighbourhood that does not map to itself",
      "The new points depend on old points outside. Ask for more rings, or for fewer new ones."},
+    {"E_NO_STATIC_LIMIT", "W24", "a word without a static limit",
+     "Proofs about words with functions of alpha start from the word at alpha = 0. A parameter that depends on h on its own, or "
+     "has no "
+     "value at\n"
+     "alpha = 0, leaves that open; write it as a function of alpha."},
+    {"E_F_BY_VALENCE", "W25", "f or omega that depends on the valence",
+     "Proofs at extraordinary vertices know one f and one omega; delta may depend on N."},
+    {"E_SUM_RULES", "W26", "differences of too high an order",
+     "A difference scheme of order k exists if the symbol satisfies k sum rules; sum_rules(word) counts them."},
+    {"E_NO_STENCIL", "W27", "a word without a limit stencil",
+     "Limit stencils at old points need a primal word with a symmetric mask and a simple eigenvalue."},
+    {"E_NO_SPECTRUM", "W28", "a word that the theory of extraordinary points does not cover",
+     "It speaks of words with one U[2] per round and constant parameters that may depend on the valence."},
+    {"E_NO_CIRCLE", "W29", "a word that keeps no circles",
+     "Regular polygons become circles where f(alpha) = cos(alpha/2) and omega(alpha) = 1/cos(alpha/2), as keeps_circles(word) "
+     "proves."},
 
     // S: syntax
     {"E_SYNTAX", "S01", "not a sentence of the language",
@@ -108,7 +124,8 @@ constexpr CodeEntry table[] = {
      "fractions, a root\n"
      "outside the fields that are known. Nothing is rounded silently; approximate(...) rounds aloud."},
     {"E_UNDECIDED", "E14", "enclosures that cannot decide",
-     "Two enclosures overlap, so neither order nor equality is known. More --precision may separate them."},
+     "Two enclosures overlap, so neither order nor equality is known. More --precision may separate them. A formula in free\n"
+     "parameters has no order at all until they have values."},
     {"E_NOT_FINITE", "E15", "a number that is not finite", "A result is infinite, undefined, or beyond the largest double."},
     {"E_PRECISION", "E16", "a precision that does not work",
      "Enclosures have 2 to 1,000,000 bits. Exact numbers that half a million bits cannot tell apart are not compared."},
@@ -123,6 +140,23 @@ constexpr CodeEntry table[] = {
      "animate d in 0 .. 1 frames 60 { ... } runs through a range of numbers, without step, and not inside another one."},
     {"E_NOT_AVAILABLE", "E22", "not available in this version",
      "The language has this sentence, but this version of udcp has no engine for it."},
+    {"E_DOMAIN", "E24", "a set that is no domain",
+     "After `for` stand N in 3 .. 20, names with intervals such as (0, oo) or [0, 1], and names with integer ranges or lists. "
+     "Ends are "
+     "rational;\n"
+     "an infinite end is open."},
+    {"E_NOT_A_CLAIM", "E25", "an expression that claims nothing",
+     "Claims are converges(w), c1(w), c(w, k), equal(w, w), keeps_circles(w). assert compares values."},
+    {"E_PARAMETER", "E26", "a parameter of a claim where a number is needed",
+     "Inside a claim over intervals the parameters have no values: words may use them in rational functions, and nothing else "
+     "can."},
+    {"E_NO_CLOSED_FORM", "E27", "a function of alpha that a certificate cannot carry",
+     "Certificates write functions of alpha out, with + - * / ^ sqrt cos sin tan exp log abs min max and no conditions."},
+    {"E_CLOSED_FORM", "E28", "a formula in a certificate that cannot be read", "Formulas in certificates are in prefix form."},
+    {"E_NO_REGION", "E29", "a claim that has no region",
+     "region(c1(word), x in a .. b) draws where a claim on curves holds; the weights of the word must be rational functions of "
+     "the "
+     "parameters."},
     {"E_VIEW", "E23", "a view without a direction", "A picture of a mesh needs a view direction that is not zero."},
 
     // G: geometry
@@ -207,6 +241,8 @@ constexpr CodeEntry table[] = {
     {"E_FIELD_DEGREE", "L12", "cosines of too many angles",
      "Exact numbers with cos(2 pi/N) form a field whose degree grows with N; the limit is 192. Enclosures and double have no "
      "such limit."},
+    {"E_PARAMETRIC_SIZE", "L13", "a formula in free parameters that grew too large",
+     "Words run on symbols for up to 6 parameters, with at most 2000 terms and degree 200 in a numerator or denominator."},
 
     // Others
     {"E_INTERRUPTED", "I01", "interrupted", "Ctrl-C ended the computation. No file was left half-written."},

@@ -119,6 +119,7 @@ int report_failure(Console& console) {
   } catch (...) {
     const ProgramError error = current_error();
     console.error(error);
+    if (error.code == "E_UNDECIDED") return exit_code(Outcome::undecided);
     return error.syntax ? exit_code(ErrorKind::input) : exit_code(error.kind);
   }
 }

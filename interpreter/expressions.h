@@ -13,6 +13,8 @@ namespace udcp {
 using AnimationFrames = std::map<std::filesystem::path, std::vector<Surface<double>>>;
 
 /// What evaluation sees of the running session. Lives for one run().
+struct ClaimDomain;
+
 struct CallContext {
   Settings& settings;
   const Output& output;
@@ -23,6 +25,7 @@ struct CallContext {
   const FunctionValue* function = nullptr;  // whose body is being evaluated: it may call itself
   const Value* last = nullptr;              // _
   AnimationFrames* animation = nullptr;     // inside animate: save collects here
+  const ClaimDomain* domain = nullptr;      // inside a claim: what it speaks of
   bool path_text = false;                   // "{d}" goes into a file name: 1/4 is written 0.25, 1/3 is written 1_3
   int depth = 0;
   std::int64_t steps = 0;

@@ -7,6 +7,7 @@
 
 #include "grammar/print.h"
 #include "interpreter/arithmetic.h"
+#include "interpreter/prefix_form.h"
 #include "interpreter/report.h"
 
 namespace udcp {
@@ -100,11 +101,13 @@ class ExprKernel final : public Kernel {
     if (!uses_.alpha && !uses_.valence && !uses_.round && !uses_.vertex) fold();
   }
 
-  [[nodiscard]] Needs needs() const override { return {uses_.valence, uses_.vertex, uses_.alpha || uses_.round}; }
+  [[nodiscard]] Needs needs() const override { return {uses_.valence, uses_.vertex, uses_.alpha || uses_.round, uses_.round}; }
 #define UDCP_KERNEL_AT(S) \
   [[nodiscard]] Quantity<S> at(const Context<S>& c) const override { return value(c); }
   UDCP_FOR_EACH_NUMBER(UDCP_KERNEL_AT)
 #undef UDCP_KERNEL_AT
+
+  [[nodiscard]] std::string closed_form() const override { return prefix_form(formula_); }
 
   [[nodiscard]] const Uses& uses() const { return uses_; }
   [[nodiscard]] const std::string& text() const { return text_; }
@@ -129,8 +132,19 @@ class ExprKernel final : public Kernel {
       constant_ = NumberValue{evaluate_formula(formula_, Context<Algebraic>{})};
     } catch (const Error& error) {
       if (error.kind != ErrorKind::not_exact && error.code != "E_FIELD_DEGREE") throw;
-      (void)evaluate_formula(formula_, Context<Interval>{});
+      try {
+        constant_ = as_number(evaluate_formula(formula_, Context<Parametric>{}));
+      } catch (const Error&) {
+        (void)evaluate_formula(formula_, Context<Interval>{});
+      }
     }
+  }
+
+  /// A function of the parameters of a claim; what is none is computed again in the number type of each run.
+  static std::optional<NumberValue> as_number(const Quantity<Parametric>& value) {
+    const Parametric function = value.value();
+    if (function.is_constant()) return std::nullopt;
+    return NumberValue{function};
   }
 
   FormulaText formula_;

@@ -126,6 +126,7 @@ std::string number_text(const NumberValue& number) {
   constexpr int digits = 12;
   constexpr std::size_t longest_readable_fraction = 64;  // bits of numerator and denominator
   if (const auto* measured = std::get_if<double>(&number.value)) return "≈ " + double_text(*measured);
+  if (const auto* function = std::get_if<Parametric>(&number.value)) return function->to_string();
   if (const auto* enclosure = std::get_if<Interval>(&number.value)) return enclosure->to_string(digits);
   const auto& exact = std::get<Quantity<Algebraic>>(number.value);
   const std::string text = exact_text(exact);
@@ -144,6 +145,8 @@ Json number_json(const Quantity<Algebraic>& number) {
 Json number_json(const Algebraic& number) { return number_json(Quantity<Algebraic>::of(number)); }
 
 Json number_json(const Interval& number) { return enclosure_json(number); }
+
+Json number_json(const Parametric& number) { return number.to_string(); }
 
 Json number_json(double number) {
   if (std::isfinite(number)) return number;

@@ -20,6 +20,7 @@ std::string double_text(double value, int digits = 12);
 Json number_json(const Quantity<Algebraic>& number);
 Json number_json(const Algebraic& number);
 Json number_json(const Interval& number);
+Json number_json(const Parametric& number);
 Json number_json(double number);
 
 std::string matrix_text(const MatrixValue& matrix);

@@ -9,6 +9,7 @@
 #include "grammar/print.h"
 #include "interpreter/arithmetic.h"
 #include "interpreter/builtins.h"
+#include "interpreter/claims.h"
 #include "interpreter/compare.h"
 #include "interpreter/formula.h"
 #include "interpreter/report.h"
@@ -25,6 +26,7 @@ ProgramError program_error(const Error& error, const SourcePtr& source, Span spa
   result.kind = error.kind;
   result.code = error.code;
   result.help = error.help;
+  result.label = error.label;
   result.file = source->name;
   result.source = source->text;
   result.span = span;
@@ -238,16 +240,25 @@ void Runner::on(const grammar::Assert& a, Span span) {
 }
 
 void Runner::on(const grammar::Claim& c, Span) {
-  std::vector<std::string> variables = {"f", "omega", "delta", "alpha0"};
-  for (const grammar::Domain& d : c.domains) {
-    variables.push_back(d.name);
-    check_names(*d.set, context_, variables);
-  }
+  std::vector<std::string> variables;
+  for (const grammar::Domain& d : c.domains) variables.push_back(d.name);
   check_names(*c.claim, context_, variables);
-  throw not_available(c.prove ? "prove" : "check");
+  settle(decide_claim(c, context_));
 }
 
-void Runner::on(const grammar::Verify&, Span) { throw not_available("verify"); }
+void Runner::on(const grammar::Verify& v, Span) { settle(verify_file(v.path, context_)); }
+
+/// Prints a decision; the worst one of the program decides its exit code.
+void Runner::settle(Value decision) {
+  const Verdict verdict = decision.as<ReportValue>()->claim->verdict;
+  const bool evidence = decision.as<ReportValue>()->claim->evidence;
+  if (verdict == Verdict::refuted) outcome_ = Outcome::refuted;
+  if ((verdict == Verdict::undecided) && !evidence && outcome_ == Outcome::done) outcome_ = Outcome::undecided;
+  if (context_.output.value) context_.output.value(decision);
+  last_ = decision;
+  has_last_ = true;
+  result_ = std::move(decision);
+}
 
 void Runner::on(const grammar::Use& u, Span) {
   const std::filesystem::path path = std::filesystem::weakly_canonical(context_.folder / u.path);

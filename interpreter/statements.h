@@ -37,6 +37,7 @@ class Runner {
   void on(const grammar::Use&, grammar::Span);
   void on(const grammar::Set&, grammar::Span);
   void define(const std::string& name, Value value);
+  void settle(Value decision);
   void refute(const grammar::Expr& condition, grammar::Span, const std::string& details, const Json& witness);
   void save_frames(const AnimationFrames&);
 

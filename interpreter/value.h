@@ -18,11 +18,11 @@
 #include "operators/quantity.h"
 #include "operators/surface.h"
 #include "operators/word.h"
+#include "proofs/verdict.h"
 
 namespace udcp {
 
 struct Value;
-using Json = nlohmann::ordered_json;
 
 /// The text that spans point into, kept as long as something made from it lives. `internal`: the prelude, which no diagnostic
 /// shows.
@@ -33,9 +33,9 @@ struct SourceText {
 using SourcePtr = std::shared_ptr<const SourceText>;
 
 /// A number: exact where it can be (rational, multiple of pi, algebraic), an enclosure where exactness ends, a double where it
-/// was measured on double geometry (never printed as if exact).
+/// was measured on double geometry (never printed as if exact), or a function of the parameters that a claim runs over.
 struct NumberValue {
-  std::variant<Quantity<Algebraic>, Interval, double> value;
+  std::variant<Quantity<Algebraic>, Interval, double, Parametric> value;
 };
 
 struct Boolean {
@@ -82,11 +82,14 @@ struct FunctionValue {
   SourcePtr source = {};
 };
 
-/// Masks, stencils, counts, tables: text for people, JSON for programs, and parts that compare exactly.
+/// Masks, stencils, counts, tables, claims: text for people, JSON for programs, and parts that compare exactly.
 struct ReportValue {
   std::string text;
   Json json;
-  std::vector<Value> parts;  // what == compares, and what [i] picks
+  std::vector<Value> parts{};              // what == compares, and what [i] picks
+  std::shared_ptr<const Result> claim{};   // of a claim: its verdict and certificate
+  std::function<std::string()> picture{};  // SVG, for plot and save; empty: no picture
+  std::function<std::string()> latex{};    // a LaTeX document, for save "x.tex"; empty: none
 };
 
 struct Nothing {};
@@ -102,7 +105,7 @@ struct Value {
   }
 };
 
-/// "number", "word", "curve", "mesh", "matrix", "list", "text", "boolean", "function", "report", "nothing".
+/// "number", "word", "curve", "mesh", "matrix", "list", "text", "boolean", "function", "report", "claim", "nothing".
 std::string type_name(const Value&);
 
 /// Names bound to values, with an outer scope. A definition makes a new scope on top of the old one, so whatever closed over the

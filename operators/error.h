@@ -19,7 +19,8 @@ struct Error : std::runtime_error {
   ErrorKind kind;
   std::string code;
   std::string help;
-  int item = -1;  // index of the word item that is meant, counted over head then tail; -1: none
+  std::string label;  // two or three words for beside the caret; may be empty
+  int item = -1;      // index of the word item that is meant, counted over head then tail; -1: none
 };
 
 }  // namespace udcp

@@ -1,7 +1,41 @@
-// Attribute look-up and the constant kernel.
+// Attribute look-up; constants, symbols and variables as kernels.
 #include "operators/kernel.h"
 
 namespace udcp {
+namespace {
+
+[[noreturn]] void has_no_value(const std::string& what) {
+  throw Error(ErrorKind::not_exact, "E_NOT_EXACT", what + " has no value in this number type",
+              "give it a number for this computation");
+}
+
+template <class S>
+S in_type(const Parametric& symbol) {
+  has_no_value("the free parameter " + symbol.to_string());
+}
+template <>
+Parametric in_type(const Parametric& symbol) {
+  return symbol;
+}
+
+template <class S>
+S in_type(const Interval& range) {
+  has_no_value("a variable on " + range.to_string(6));
+}
+template <>
+double in_type(const Interval& range) {
+  return range.midpoint();
+}
+template <>
+Interval in_type(const Interval& range) {
+  return range;
+}
+template <>
+Jet in_type(const Interval& range) {
+  return Jet::variable(range);
+}
+
+}  // namespace
 
 template <class S>
 Quantity<S> Context<S>::attribute(const std::string& name) const {
@@ -15,6 +49,15 @@ Quantity<S> Context<S>::attribute(const std::string& name) const {
 
 KernelPtr constant(const Rational& value) {
   return formula([value](const auto& c) { return decltype(c.alpha)(value); }, Needs{false, false, false});
+}
+
+KernelPtr symbol(const std::string& name) {
+  return formula([value = Parametric::variable(name)]<class S>(const Context<S>&) { return Quantity<S>::of(in_type<S>(value)); },
+                 Needs{false, false, false});
+}
+
+KernelPtr variable(const Interval& range) {
+  return formula([range]<class S>(const Context<S>&) { return Quantity<S>::of(in_type<S>(range)); }, Needs{false, false, false});
 }
 
 #define UDCP_INSTANTIATE(S) template Quantity<S> Context<S>::attribute(const std::string&) const;

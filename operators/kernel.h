@@ -28,11 +28,14 @@ struct Needs {
   bool valence = false;  // N
   bool vertex = false;   // v.name, noise
   bool round = true;     // alpha, h: without it every round is the same
+  bool level = false;    // h itself, not only through alpha
 };
 
 struct Kernel {
   virtual ~Kernel() = default;
   [[nodiscard]] virtual Needs needs() const = 0;
+  /// The formula as a text of its own, in prefix form: "(cos (/ alpha 2))"; empty where there is none. For certificates.
+  [[nodiscard]] virtual std::string closed_form() const { return {}; }
 #define UDCP_KERNEL_AT(S) [[nodiscard]] virtual Quantity<S> at(const Context<S>&) const = 0;
   UDCP_FOR_EACH_NUMBER(UDCP_KERNEL_AT)
 #undef UDCP_KERNEL_AT
@@ -57,5 +60,11 @@ KernelPtr formula(F f, Needs needs = {true, false, true}) {
 }
 
 KernelPtr constant(const Rational& value);
+/// The free parameter `name` of Parametric, for words that run on symbols. Error{not_exact, "E_NOT_EXACT"} in every other number
+/// type; Error{input, "E_NAME"} for what is no name.
+KernelPtr symbol(const std::string& name);
+/// The variable of Jet on `range`; all of the range in Interval, its middle in double. Error{not_exact, "E_NOT_EXACT"} in exact
+/// types.
+KernelPtr variable(const Interval& range);
 
 }  // namespace udcp

@@ -61,8 +61,13 @@ bool spreads_nothing(const Item& item) {
     if (!kernel) return false;
     const Needs needs = kernel->needs();
     if (needs.valence || needs.vertex || needs.round) return false;
-    const Quantity<double> value = kernel->at(Context<double>{});
-    return value.kind() == Quantity<double>::Kind::rational && value.exact().sign() == 0;
+    try {
+      const Quantity<double> value = kernel->at(Context<double>{});
+      return value.kind() == Quantity<double>::Kind::rational && value.exact().sign() == 0;
+    } catch (const Error& error) {
+      if (error.kind != ErrorKind::not_exact) throw;
+      return false;  // a symbol
+    }
   };
   return zero(item.omega.plain) && zero(item.omega.latitude) && zero(item.omega.longitude) &&
          (!item.omega_face || zero(item.omega_face));

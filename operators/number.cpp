@@ -8,8 +8,13 @@ namespace {
 
 template <class S>
 inline constexpr bool is_double = std::is_same_v<S, double>;
+
+// What a type shows of itself as one number.
 template <class S>
-inline constexpr bool is_interval = std::is_same_v<S, Interval>;
+const S& shown(const S& value) {
+  return value;
+}
+const Interval& shown(const Jet& value) { return value.value(); }
 
 }  // namespace
 
@@ -32,8 +37,8 @@ S number(const Algebraic& value) {
     return value;
   } else if constexpr (is_double<S>) {
     return value.is_rational() ? number<double>(value.rational()) : value.to_double();
-  } else if constexpr (is_interval<S>) {
-    return value.enclosure();
+  } else if constexpr (is_enclosure<S>) {
+    return S(value.enclosure());
   } else {
     return value.rational();
   }
@@ -43,8 +48,8 @@ template <class S>
 S number_from_double(double value) {
   if constexpr (is_double<S>) {
     return value;
-  } else if constexpr (is_interval<S>) {
-    return Interval::from_double(value);
+  } else if constexpr (is_enclosure<S>) {
+    return S(Interval::from_double(value));
   } else {
     throw Error(ErrorKind::not_exact, "E_NOT_EXACT", "the floating-point number " + to_text(value) + " stands for no exact value",
                 "write the number as a fraction or a decimal, or compute in floating point");
@@ -76,9 +81,9 @@ std::optional<Rational> rational_cosine(const Rational& q) {
 template <class S>
 S cosine(const Rational& q) {
   if (const std::optional<Rational> exact = rational_cosine(q)) return number<S>(*exact);
-  if constexpr (is_interval<S>) {
+  if constexpr (is_enclosure<S>) {
     const Rational folded = q - Rational(2) * (q / Rational(2)).floor();  // exactly, so that no precision is lost for large q
-    return cos(Interval(folded) * Interval::pi());
+    return S(cos(Interval(folded) * Interval::pi()));
   } else if constexpr (is_double<S>) {
     const Interval::Precision scope(192);  // the middle rounds to the nearest double unless the value is extremely near a tie
     return cosine<Interval>(q).midpoint();
@@ -94,8 +99,8 @@ template <class S>
 double approximate(const S& value) {
   if constexpr (is_double<S>) {
     return value;
-  } else if constexpr (is_interval<S>) {
-    return value.midpoint();
+  } else if constexpr (is_enclosure<S>) {
+    return shown(value).midpoint();
   } else {
     return value.to_double();
   }

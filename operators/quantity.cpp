@@ -1,51 +1,13 @@
-// Arithmetic and functions on quantities: exact rules for rationals and multiples of pi first, the number type where they end.
+// Quantities: construction, arithmetic, order, noise and conversion. Exact rules for rationals and multiples of pi come first,
+// the number type where they end. The functions are in quantity_functions.cpp.
 #include "operators/quantity.h"
 
 #include <cstdint>
 
+#include "operators/quantity_kinds.h"
+
 namespace udcp {
 namespace {
-
-const char* const kUseAnotherType =
-    "compute in enclosures or floating point, or use values with an exact form such as cos(2*pi/5)";
-
-template <class S>
-bool is_number(const Quantity<S>& x) {
-  return x.kind() == Quantity<S>::Kind::number;
-}
-template <class S>
-bool is_rational(const Quantity<S>& x) {
-  return x.kind() == Quantity<S>::Kind::rational;
-}
-template <class S>
-bool is_pi_multiple(const Quantity<S>& x) {
-  return x.kind() == Quantity<S>::Kind::pi_multiple;
-}
-template <class S>
-bool is_plain_zero(const Quantity<S>& x) {
-  return is_rational(x) && x.exact().is_zero();
-}
-
-std::string shorten(const std::string& text) { return text.size() <= 80 ? text : text.substr(0, 77) + "..."; }
-
-[[noreturn]] void no_exact_value(const std::string& what) {
-  throw Error(ErrorKind::not_exact, "E_NOT_EXACT", shorten(what) + " has no exact value here", kUseAnotherType);
-}
-
-[[noreturn]] void division_by_zero(const std::string& what) {
-  throw Error(ErrorKind::input, "E_DIV0", "division by zero in " + shorten(what),
-              "check the denominator, or guard it with if ... then ... else");
-}
-
-// A function without exact values: computed in double and Interval, refused by the exact types.
-template <class S, class F>
-Quantity<S> computed(const char* name, const Quantity<S>& x, F function) {
-  if constexpr (is_exact<S>) {
-    no_exact_value(std::string(name) + "(" + x.to_string() + ")");
-  } else {
-    return Quantity<S>::of(function(x.value()));
-  }
-}
 
 // The sign of a - b where neither is a rational combination of the other: enclosures of growing precision separate them, because
 // pi is transcendental.
@@ -87,6 +49,8 @@ Quantity<S> Quantity<S>::of(S value) {
     return Quantity(std::move(value));
   } else if constexpr (std::is_same_v<S, Algebraic>) {
     if (value.is_rational()) return Quantity(value.rational());
+  } else if constexpr (std::is_same_v<S, Parametric>) {
+    if (value.is_constant()) return Quantity(value.constant());
   }
   result.kind_ = Kind::number;
   result.number_ = std::move(value);
@@ -103,7 +67,7 @@ S Quantity<S>::value() const {
     const Interval::Precision scope(192);  // so that the result is the nearest double
     return (Interval(exact_) * Interval::pi()).midpoint();
   } else {
-    return Interval(exact_) * Interval::pi();
+    return S(Interval(exact_) * Interval::pi());
   }
 }
 
@@ -160,96 +124,6 @@ Quantity<S> operator/(const Quantity<S>& a, const Quantity<S>& b) {
   return Quantity<S>::of(a.value() / b.value());
 }
 
-// ---- functions
-
-template <class S>
-Quantity<S> cos(const Quantity<S>& x) {
-  if (is_plain_zero(x)) return Quantity<S>(1);
-  if (!is_pi_multiple(x)) {
-    return computed("cos", x, [](const auto& value) {
-      using std::cos;
-      return cos(value);
-    });
-  }
-  if (const std::optional<Rational> exact = rational_cosine(x.exact())) return Quantity<S>(*exact);
-  return Quantity<S>::of(cosine<S>(x.exact()));
-}
-
-template <class S>
-Quantity<S> sin(const Quantity<S>& x) {
-  if (is_plain_zero(x)) return x;
-  if (!is_pi_multiple(x)) {
-    return computed("sin", x, [](const auto& value) {
-      using std::sin;
-      return sin(value);
-    });
-  }
-  const Rational complement = Rational(1) / Rational(2) - x.exact();
-  return complement.is_zero() ? Quantity<S>(1) : cos(Quantity<S>::pi(complement));
-}
-
-template <class S>
-Quantity<S> tan(const Quantity<S>& x) {
-  if (is_plain_zero(x)) return x;
-  if (!is_pi_multiple(x)) {
-    return computed("tan", x, [](const auto& value) {
-      using std::tan;
-      return tan(value);
-    });
-  }
-  const Rational turn = x.exact() - x.exact().floor();  // tan has period pi
-  if (turn == Rational(1) / Rational(2)) division_by_zero("tan(" + x.to_string() + ")");
-  if (turn == Rational(1) / Rational(4)) return Quantity<S>(1);
-  if (turn == Rational(3) / Rational(4)) return Quantity<S>(-1);
-  return sin(x) / cos(x);
-}
-
-template <class S>
-Quantity<S> sqrt(const Quantity<S>& x) {
-  if ((!is_number(x) && x.exact().sign() < 0) || (std::is_same_v<S, double> && is_number(x) && x.value() < S(0))) {
-    throw Error(ErrorKind::input, "E_SQRT_NEGATIVE", "the square root of " + shorten(x.to_string()) + " is not real");
-  }
-  if (is_rational(x)) {
-    if (const std::optional<Rational> root = exact_root(x.exact(), 2)) return Quantity<S>(*root);
-  }
-  if (is_exact<S> && is_pi_multiple(x)) no_exact_value("sqrt(" + x.to_string() + ")");
-  using std::sqrt;
-  return Quantity<S>::of(sqrt(x.value()));
-}
-
-template <class S>
-Quantity<S> exp(const Quantity<S>& x) {
-  if (is_plain_zero(x)) return Quantity<S>(1);
-  return computed("exp", x, [](const auto& value) {
-    using std::exp;
-    return exp(value);
-  });
-}
-
-template <class S>
-Quantity<S> log(const Quantity<S>& x) {
-  bool positive = is_number(x) || x.exact().sign() > 0;
-  if constexpr (!std::is_same_v<S, Interval>) {
-    if (is_number(x)) positive = x.value() > S(0);
-  }
-  if (!positive) {
-    throw Error(ErrorKind::input, "E_LOG_DOMAIN",
-                "the logarithm needs a positive number, but here it is " + shorten(x.to_string()));
-  }
-  if (is_rational(x) && x.exact() == Rational(1)) return Quantity<S>();
-  return computed("log", x, [](const auto& value) {
-    using std::log;
-    return log(value);
-  });
-}
-
-template <class S>
-Quantity<S> abs(const Quantity<S>& x) {
-  if (!is_number(x)) return x.exact().sign() < 0 ? -x : x;
-  using std::abs;
-  return Quantity<S>::of(abs(x.value()));
-}
-
 // ---- order
 
 template <class S>
@@ -275,10 +149,10 @@ int compare(const Quantity<S>& a, const Quantity<S>& b) {
 
 template <class S>
 Quantity<S> min(const Quantity<S>& a, const Quantity<S>& b) {
-  if constexpr (std::is_same_v<S, Interval>) {
+  if constexpr (is_enclosure<S>) {
     if (is_number(a) || is_number(b)) {
-      const Interval left = a.value();
-      const Interval right = b.value();
+      const S left = a.value();
+      const S right = b.value();
       if (left <= right) return a;
       return right <= left ? b : Quantity<S>::of(min(left, right));
     }
@@ -289,91 +163,6 @@ Quantity<S> min(const Quantity<S>& a, const Quantity<S>& b) {
 template <class S>
 Quantity<S> max(const Quantity<S>& a, const Quantity<S>& b) {
   return -min(-a, -b);
-}
-
-// ---- powers
-
-namespace {
-
-double integer_power(double base, int exponent) { return std::pow(base, exponent); }
-Rational integer_power(const Rational& base, int exponent) { return pow(base, exponent); }
-Algebraic integer_power(const Algebraic& base, int exponent) { return pow(base, exponent); }
-Interval integer_power(const Interval& base, int exponent) { return pow(base, exponent); }
-
-[[noreturn]] void power_too_large(const std::string& exponent) {
-  throw Error(ErrorKind::limit, "E_POWER_SIZE", "the exponent " + shorten(exponent) + " is too large",
-              "use an exponent of at most 9 digits");
-}
-
-template <class S>
-Quantity<S> power_of_integer_exponent(const Quantity<S>& base, const Rational& exponent) {
-  if (exponent.is_zero()) return Quantity<S>(1);
-  if (exponent == Rational(1)) return base;
-  if (is_rational(base) && (base.exact().is_zero() || abs(base.exact()) == Rational(1))) {
-    if (base.exact().is_zero() && exponent.sign() < 0) division_by_zero("0^" + exponent.to_string());
-    const bool odd = !(exponent / Rational(2)).is_integer();
-    return odd ? base : abs(base);
-  }
-  if (!exponent.fits_int()) power_too_large(exponent.to_string());
-  const int n = exponent.to_int();
-  if (is_rational(base)) return Quantity<S>(pow(base.exact(), n));
-  const S value = base.value();
-  if (n < 0 && is_zero(value)) division_by_zero(base.to_string() + "^" + exponent.to_string());
-  return Quantity<S>::of(integer_power(value, n));
-}
-
-// base^(p/q) where it is exact: a perfect q-th power, or in Algebraic a square root that it can name.
-template <class S>
-std::optional<Quantity<S>> power_of_fraction(const Quantity<S>& base, const Rational& exponent) {
-  const Rational p = exponent.numerator();
-  const Rational q = exponent.denominator();
-  if (is_rational(base) && q.fits_int()) {
-    if (const std::optional<Rational> root = exact_root(base.exact(), q.to_int())) {
-      return power_of_integer_exponent(Quantity<S>(*root), p);
-    }
-  }
-  if constexpr (std::is_same_v<S, Algebraic>) {
-    if (q == Rational(2) && !is_pi_multiple(base)) return power_of_integer_exponent(sqrt(base), p);
-  }
-  return std::nullopt;
-}
-
-// -1, 0, 1 where it is certain; 1 for an enclosure that may be positive, so that log() judges it.
-template <class S>
-int sign_of_base(const Quantity<S>& base) {
-  if (!is_number(base)) return base.exact().sign();
-  const S value = base.value();
-  if (value < S(0)) return -1;
-  return is_zero(value) ? 0 : 1;
-}
-
-}  // namespace
-
-template <class S>
-Quantity<S> pow(const Quantity<S>& base, const Quantity<S>& exponent) {
-  if (is_rational(exponent) && exponent.exact().is_integer()) return power_of_integer_exponent(base, exponent.exact());
-  const int sign = sign_of_base(base);
-  if (sign < 0) {
-    throw Error(
-        ErrorKind::input, "E_POWER_NEGATIVE",
-        "the negative number " + shorten(base.to_string()) + " has no power with the exponent " + shorten(exponent.to_string()),
-        "use an integer exponent, or abs() of the base");
-  }
-  if (is_rational(base) && base.exact() == Rational(1)) return base;
-  if (sign == 0) {
-    if (compare(exponent, Quantity<S>(0)) < 0) division_by_zero(base.to_string() + "^" + exponent.to_string());
-    return Quantity<S>(0);
-  }
-  if (is_rational(exponent)) {
-    if (std::optional<Quantity<S>> exact = power_of_fraction(base, exponent.exact())) return *exact;
-  }
-  if constexpr (is_exact<S>) {
-    no_exact_value("(" + base.to_string() + ")^(" + exponent.to_string() + ")");
-  } else if constexpr (std::is_same_v<S, double>) {
-    return Quantity<S>::of(std::pow(base.value(), exponent.value()));
-  } else {
-    return Quantity<S>::of(exp(exponent.value() * log(base.value())));
-  }
 }
 
 // ---- noise and conversion
@@ -405,7 +194,7 @@ Quantity<T> convert(const Quantity<S>& value) {
   if (is_pi_multiple(value)) return Quantity<T>::pi(value.exact());
   if constexpr (std::is_same_v<T, S>) {
     return value;
-  } else if constexpr (std::is_same_v<S, Algebraic> || std::is_same_v<S, Rational>) {
+  } else if constexpr (is_exact<S>) {
     return Quantity<T>::of(number<T>(value.value()));
   } else {
     return Quantity<T>::of(number_from_double<T>(approximate(value.value())));
@@ -418,22 +207,14 @@ Quantity<T> convert(const Quantity<S>& value) {
   template Quantity<S> operator-(const Quantity<S>&, const Quantity<S>&); \
   template Quantity<S> operator*(const Quantity<S>&, const Quantity<S>&); \
   template Quantity<S> operator/(const Quantity<S>&, const Quantity<S>&); \
-  template Quantity<S> cos(const Quantity<S>&);                           \
-  template Quantity<S> sin(const Quantity<S>&);                           \
-  template Quantity<S> tan(const Quantity<S>&);                           \
-  template Quantity<S> sqrt(const Quantity<S>&);                          \
-  template Quantity<S> exp(const Quantity<S>&);                           \
-  template Quantity<S> log(const Quantity<S>&);                           \
-  template Quantity<S> abs(const Quantity<S>&);                           \
   template Quantity<S> min(const Quantity<S>&, const Quantity<S>&);       \
   template Quantity<S> max(const Quantity<S>&, const Quantity<S>&);       \
-  template Quantity<S> pow(const Quantity<S>&, const Quantity<S>&);       \
   template int compare(const Quantity<S>&, const Quantity<S>&);           \
   template Quantity<S> noise(const Rational&, int, int);                  \
-  template Quantity<double> convert(const Quantity<S>&);                  \
-  template Quantity<Rational> convert(const Quantity<S>&);                \
-  template Quantity<Algebraic> convert(const Quantity<S>&);               \
-  template Quantity<Interval> convert(const Quantity<S>&);
+  template Quantity<S> convert(const Quantity<double>&);                  \
+  template Quantity<S> convert(const Quantity<Rational>&);                \
+  template Quantity<S> convert(const Quantity<Algebraic>&);               \
+  template Quantity<S> convert(const Quantity<Interval>&);
 UDCP_FOR_EACH_NUMBER(UDCP_QUANTITY)
 #undef UDCP_QUANTITY
 

@@ -22,7 +22,8 @@ class Quantity {
   [[nodiscard]] Kind kind() const { return kind_; }
   /// The rational, or the factor of pi. Only for those kinds.
   [[nodiscard]] const Rational& exact() const { return exact_; }
-  /// The value in S. Error{not_exact, "E_NOT_EXACT"} for a multiple of pi in an exact type.
+  /// The value in S. Error{not_exact, "E_NOT_EXACT"} for a multiple of pi in an exact type. A number of Parametric is never
+  /// constant.
   [[nodiscard]] S value() const;
   [[nodiscard]] std::string to_string() const;  // "7/12", "2/5*pi", or the number as to_text says it
 
@@ -101,7 +102,7 @@ Quantity<S> max(const Quantity<S>&, const Quantity<S>&);
 /// Error{input, "E_POWER_NEGATIVE"} for a negative base with an exponent that is no integer.
 template <class S>
 Quantity<S> pow(const Quantity<S>& base, const Quantity<S>& exponent);
-/// -1, 0 or 1; Error{not_exact, "E_UNDECIDED"} where enclosures cannot tell.
+/// -1, 0 or 1; Error{not_exact, "E_UNDECIDED"} where enclosures cannot tell, or where it depends on free parameters.
 template <class S>
 int compare(const Quantity<S>&, const Quantity<S>&);
 
@@ -110,8 +111,9 @@ int compare(const Quantity<S>&, const Quantity<S>&);
 template <class S>
 Quantity<S> noise(const Rational& seed, int h, int i);
 
-/// The same quantity in another number type: exact kinds carry over; a number by number<T> from Algebraic, itself or the midpoint
-/// from Interval, exactly from double. Error{not_exact, "E_NOT_EXACT"} where T is exact and the number is not.
+/// The same quantity in another number type, from those that coordinates have: exact kinds carry over; a number by number<T> from
+/// Algebraic, itself or the midpoint from Interval, exactly from double. Error{not_exact, "E_NOT_EXACT"} where T is exact and the
+/// number is not.
 template <class T, class S>
 Quantity<T> convert(const Quantity<S>& value);
 

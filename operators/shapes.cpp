@@ -173,7 +173,7 @@ Surface<S> triangulate(const Surface<S>& surface) {
   template Surface<S> tube(int, const Points<S>&, bool);                                               \
   template Surface<S> torus(int, int, const std::type_identity_t<S>&, const std::type_identity_t<S>&); \
   template Surface<S> triangulate(const Surface<S>&);
-UDCP_FOR_EACH_NUMBER(UDCP_INSTANTIATE)
+UDCP_FOR_EACH_COORDINATE(UDCP_INSTANTIATE)
 #undef UDCP_INSTANTIATE
 
 }  // namespace udcp

@@ -26,13 +26,17 @@ struct To<double> {
   static double from(double value) { return value; }
   static double from(const Interval& value) { return value.midpoint(); }
 };
-template <>
-struct To<Interval> {
-  static Interval from(const Rational& value) { return number<Interval>(value); }
-  static Interval from(const Algebraic& value) { return number<Interval>(value); }
-  static Interval from(double value) { return number_from_double<Interval>(value); }
-  static Interval from(const Interval& value) { return value; }
+template <class T>
+struct ToEnclosure {
+  static T from(const Rational& value) { return number<T>(value); }
+  static T from(const Algebraic& value) { return number<T>(value); }
+  static T from(double value) { return number_from_double<T>(value); }
+  static T from(const Interval& value) { return T(value); }
 };
+template <>
+struct To<Interval> : ToEnclosure<Interval> {};
+template <>
+struct To<Jet> : ToEnclosure<Jet> {};
 
 template <class T, class S>
 Points<T> convert_points(const Points<S>& points) {

@@ -26,7 +26,8 @@ template <class S>
 void validate(const Surface<S>& surface);
 
 /// The same shape in another number type: rounded to nearest (double), exact or enclosed. What has no exact value throws
-/// Error{not_exact, "E_NOT_EXACT"}: anything from double or Interval to an exact type, irrational numbers to Rational.
+/// Error{not_exact, "E_NOT_EXACT"}: anything from double or Interval to an exact type, irrational numbers to Rational or
+/// Parametric. From the types that coordinates have to every type.
 template <class T, class S>
 Surface<T> convert(const Surface<S>& surface);
 

@@ -24,6 +24,13 @@ struct Parity {
   int averages = 0;    // number of D since
 };
 
+Error dual_error(int index, int averages) {
+  Error error = item_error("E_P_DUAL", index, "P needs the points to correspond to the vertices before U, but here they are dual",
+                           "write (UDDP)* or (UCP)*");
+  error.label = (averages == 1 ? std::string("one") : std::to_string(averages)) + " D since the last U; P needs an even number";
+  return error;
+}
+
 void check_item(const Item& item, int index, const Word& word, Parity& state) {
   switch (item.atom) {
     case Atom::up:
@@ -48,9 +55,7 @@ void check_item(const Item& item, int index, const Word& word, Parity& state) {
       if (!state.split)
         throw item_error("E_P_NO_U", index, "P pushes back to the points before U, but no U stands before it",
                          "words are read from left to right: UCP starts with U; written as an operator product it is P . C . U");
-      if (state.averages % 2 != 0)
-        throw item_error("E_P_DUAL", index, "P needs the points to correspond to the vertices before U, but here they are dual",
-                         "write (UDDP)* or (UCP)*");
+      if (state.averages % 2 != 0) throw dual_error(index, state.averages);
       return;
   }
 }

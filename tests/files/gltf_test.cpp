@@ -1,53 +1,16 @@
-// glTF and GLB: our reader on our writer, tinygltf as a second reader, node transforms, and files that lie about their contents.
-#include <tiny_gltf.h>
-
+// Reading glTF and GLB: our reader on our writer and on a file of others, node transforms, and files that lie about their
+// contents.
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <fstream>
-#include <nlohmann/json.hpp>
 
-#include "files/colour_map.h"
-#include "helpers.h"
+#include "gltf_opinion.h"
 
 using namespace udcp;
 using namespace udcp::test;
-using Json = nlohmann::json;
 
 namespace {
-
-Surface<double> cube() { return load<double>(data / "meshes" / "cube.obj"); }
-
-/// A tetrahedron, which no triangulation changes.
-Surface<double> tetrahedron() {
-  Points<double> points(4, 3);
-  points << 1, 1, 1, 1, -1, -1, -1, 1, -1, -1, -1, 1;
-  return make_surface(points, {{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}});
-}
-
-/// What another program sees.
-tinygltf::Model second_opinion(const std::string& bytes, bool binary) {
-  tinygltf::TinyGLTF loader;
-  tinygltf::Model model;
-  std::string error, warning;
-  const bool good =
-      binary ? loader.LoadBinaryFromMemory(&model, &error, &warning, reinterpret_cast<const unsigned char*>(bytes.data()),
-                                           static_cast<unsigned>(bytes.size()))
-             : loader.LoadASCIIFromString(&model, &error, &warning, bytes.data(), static_cast<unsigned>(bytes.size()), "");
-  CHECK(good);
-  CHECK(error == "");
-  CHECK(warning == "");
-  return model;
-}
-
-std::vector<double> floats(const tinygltf::Model& model, int accessor) {
-  const auto& a = model.accessors[static_cast<std::size_t>(accessor)];
-  const auto& view = model.bufferViews[static_cast<std::size_t>(a.bufferView)];
-  const auto count = a.count * static_cast<std::size_t>(tinygltf::GetNumComponentsInType(static_cast<unsigned>(a.type)));
-  std::vector<float> values(count);
-  std::memcpy(values.data(), model.buffers[0].data.data() + view.byteOffset + a.byteOffset, 4 * count);
-  return {values.begin(), values.end()};
-}
 
 /// The tetrahedron as glTF text, for changes.
 Json document() { return Json::parse(save_bytes(tetrahedron(), "gltf")); }
@@ -70,109 +33,21 @@ TEST_SUITE("files") {
     CHECK(parse<Rational>(save_bytes(tetrahedron(), "glb"), "glb").points(1, 2) == Rational(-1));
   }
 
-  TEST_CASE("another reader finds the same points unit normals colours and extras") {
-    auto surface = cube();
-    surface.attributes["height"] = {0, 1, 2, 3, 4, 5, 6, 8};
-    SaveOptions options;
-    options.word = "(UCP)^4";
-    options.parameters = {{"delta", "1/2"}};
-    options.colour_attribute = "height";
-    for (const bool binary : {true, false}) {
-      const auto model = second_opinion(save_bytes(surface, binary ? "glb" : "gltf", options), binary);
-      const auto& primitive = model.meshes[0].primitives[0];
-      CHECK(floats(model, primitive.attributes.at("POSITION")) ==
-            std::vector<double>(surface.points.data(), surface.points.data() + 24));
-      const auto normals = floats(model, primitive.attributes.at("NORMAL"));
-      for (std::size_t v = 0; v < 8; ++v)
-        CHECK(std::hypot(normals[3 * v], normals[3 * v + 1], normals[3 * v + 2]) == doctest::Approx(1).epsilon(1e-6));
-      const auto& position = model.accessors[static_cast<std::size_t>(primitive.attributes.at("POSITION"))];
-      CHECK(position.minValues == std::vector<double>{-1, -1, -1});
-      CHECK(position.maxValues == std::vector<double>{1, 1, 1});
-      CHECK(model.accessors[static_cast<std::size_t>(primitive.indices)].count == 36);
-      CHECK(model.meshes[0].extras.Get("word").Get<std::string>() == "(UCP)^4");
-      CHECK(model.meshes[0].extras.Get("parameters").Get("delta").Get<std::string>() == "1/2");
-      const auto& colours = model.accessors[static_cast<std::size_t>(primitive.attributes.at("COLOR_0"))];
-      CHECK(colours.normalized);
-      const auto* first =
-          model.buffers[0].data.data() + model.bufferViews[static_cast<std::size_t>(colours.bufferView)].byteOffset;
-      const Colour low = linear(colour_map(0)), high = linear(colour_map(1));
-      for (std::size_t c = 0; c < 3; ++c) {
-        CHECK(first[c] == std::lround(255 * low[c]));
-        CHECK(first[28 + c] == std::lround(255 * high[c]));
-      }
-    }
-  }
-
-  TEST_CASE("normals that are given are used and zero ones are replaced") {
-    Points<double> normals = Points<double>::Zero(4, 3);
-    normals.row(0) << 0, 0, 2;
-    SaveOptions options;
-    options.normals = &normals;
-    const auto back = parse(save_bytes(tetrahedron(), "glb", options), "glb");
-    CHECK(back.attributes.at("nz")[0] == 1);
-    CHECK(std::abs(back.attributes.at("nz")[1] + 1 / std::sqrt(3.0)) < 1e-7);
-    normals.resize(3, 3);
-    CHECK(
-        refusal([&] { save_bytes(tetrahedron(), "glb", options); }).starts_with("E_POINTS: the normals do not fit the surface"));
-    SaveOptions missing;
-    missing.colour_attribute = "w";
-    CHECK(refusal([&] { save_bytes(tetrahedron(), "glb", missing); }) ==
-          "E_ATTRIBUTE: the surface has no attribute 'w' to show as colour");
-  }
-
-  TEST_CASE("many vertices need long indices") {
-    const int n = 70000;
-    Points<double> points(n + 1, 3);
-    std::vector<std::vector<int>> faces;
-    for (int k = 0; k < n; ++k) {
-      points.row(k + 1) << std::cos(k * 6.283185307179586 / n), std::sin(k * 6.283185307179586 / n), 0;
-      faces.push_back({0, 1 + k, 1 + (k + 1) % n});
-    }
-    points.row(0).setZero();
-    const auto surface = make_surface(points, faces);
-    const auto back = parse(save_bytes(surface, "glb"), "glb");
-    CHECK(back.mesh->vertex == surface.mesh->vertex);
-    CHECK((back.points - points).cwiseAbs().maxCoeff() < 1e-7);
-  }
-
-  TEST_CASE("a scene holds several shapes in their places") {
-    const auto a = tetrahedron(), b = cube();
-    const auto file = std::filesystem::temp_directory_path() / ("udcp-scene-" + std::to_string(::getpid()) + ".glb");
-    save_scene({{&a, "small", {0, 0, 0}, {}}, {&b, "large", {5, 0, 0}, {}}}, file);
-    const auto both = load<double>(file);
-    std::filesystem::remove(file);
-    CHECK(both.mesh->vertices() == 12);
-    CHECK(both.mesh->faces() == 4 + 12);
-    CHECK(both.points.bottomRows(8).col(0).minCoeff() == 4);
-    CHECK(both.points.bottomRows(8).col(0).maxCoeff() == 6);
-    CHECK(refusal([&] { save_scene({}, "x.glb"); }) == "E_NO_FACES: there is no shape to save");
-    CHECK(refusal([&] { save_scene({}, "x.obj"); }) == "E_FORMAT: x.obj: unknown format 'obj'");
-  }
-
-  TEST_CASE("the targets of an animation add up to its frames") {
-    std::vector<Surface<double>> frames(4, tetrahedron());
-    for (std::size_t k = 0; k < 4; ++k) frames[k].points *= 1 + 0.5 * static_cast<double>(k);
-    const auto file = std::filesystem::temp_directory_path() / ("udcp-animation-" + std::to_string(::getpid()) + ".glb");
-    save_animation(frames, file, {}, 10);
-    const auto model = second_opinion(read_file(file), true);
-    std::filesystem::remove(file);
-    const auto& primitive = model.meshes[0].primitives[0];
-    const auto base = floats(model, primitive.attributes.at("POSITION"));
-    REQUIRE(primitive.targets.size() == 3);
-    for (std::size_t k = 1; k < 4; ++k) {
-      const auto moved = floats(model, primitive.targets[k - 1].at("POSITION"));
-      for (std::size_t c = 0; c < 12; ++c) CHECK(base[c] + moved[c] == frames[k].points.data()[c]);
-    }
-    const auto& sampler = model.animations[0].samplers[0];
-    CHECK(floats(model, sampler.input)[3] == doctest::Approx(0.3));
-    CHECK(floats(model, sampler.output) == std::vector<double>{0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1});
-    frames[2] = cube();
-    CHECK(refusal([&] { save_animation(frames, file); }) ==
-          "E_ANIMATION: frame 2 has other faces than frame 0; morph targets need the same connectivity");
-    CHECK(refusal([&] { save_animation({}, file); }) == "E_ANIMATION: an animation needs at least one frame");
-    CHECK(refusal([&] { save_animation({cube()}, file, {}, 0); }) ==
-          "E_ANIMATION: the number of frames per second must be positive");
-    CHECK_FALSE(std::filesystem::exists(file));
+  TEST_CASE("the triangle of the Khronos tutorial is read") {
+    const std::string text = R"({"scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}], "asset": {"version": "2.0"},
+      "meshes": [{"primitives": [{"attributes": {"POSITION": 1}, "indices": 0}]}],
+      "buffers": [{"byteLength": 44, "uri":
+        "data:application/octet-stream;base64,AAABAAIAAAAAAAAAAAAAAAAAAAAAAIA/AAAAAAAAAAAAAAAAAACAPwAAAAA="}],
+      "bufferViews": [{"buffer": 0, "byteOffset": 0, "byteLength": 6, "target": 34963},
+                      {"buffer": 0, "byteOffset": 8, "byteLength": 36, "target": 34962}],
+      "accessors": [{"bufferView": 0, "byteOffset": 0, "componentType": 5123, "count": 3, "type": "SCALAR", "max": [2], "min": [0]},
+                    {"bufferView": 1, "byteOffset": 0, "componentType": 5126, "count": 3, "type": "VEC3",
+                     "max": [1, 1, 0], "min": [0, 0, 0]}]})";
+    const auto triangle = parse(text, "gltf");
+    Points<double> points(3, 3);
+    points << 0, 0, 0, 1, 0, 0, 0, 1, 0;
+    check_same(triangle, make_surface(points, {{0, 1, 2}}));
+    CHECK(triangle.attributes.empty());
   }
 
   TEST_CASE("node transforms are applied from the root down") {
@@ -199,6 +74,48 @@ TEST_SUITE("files") {
     CHECK(parse(changed.dump(), "gltf").points.col(0).minCoeff() == 8);
   }
 
+  TEST_CASE("what is not read cannot disturb") {
+    Json changed = document();
+    changed["meshes"][0]["primitives"][0]["extensions"]["KHR_draco_mesh_compression"]["bufferView"] = 99;
+    changed["bufferViews"].push_back({{"buffer", 7}, {"byteOffset", std::uint64_t{1} << 50}, {"byteLength", "long"}});
+    changed["accessors"].push_back({{"type", "MAT9"}, {"sparse", 1}});
+    changed["buffers"].push_back({{"byteLength", 8}, {"uri", "/etc/passwd"}});
+    changed["images"] = Json::parse(R"([{"bufferView": 3, "mimeType": "image/png"}, {"uri": "../secret.png"}, 5])");
+    changed["materials"] = "none";
+    changed["extensions"]["KHR_lights_punctual"]["lights"] = {1, 2};
+    changed["nodes"][0]["extras"] = "deep";
+    std::string text = changed.dump();
+    text.replace(text.find("\"deep\""), 6, std::string(200000, '[') + std::string(200000, ']'));
+    CHECK(parse_error(text, "gltf") == "accepted");
+    changed["meshes"][0]["primitives"][0]["attributes"]["NORMAL"] = 3;
+    CHECK(answer(changed) == "E_FILE_FORMAT: t.gltf: accessors[3] is sparse, which is not supported");
+  }
+
+  TEST_CASE("buffers may have another media type and more bytes than they promise") {
+    Json changed = document();
+    const auto uri = changed["buffers"][0]["uri"].get<std::string>();
+    const std::string digits = uri.substr(uri.find(',') + 1);
+    const auto length = changed["buffers"][0]["byteLength"].get<std::size_t>();
+    for (const std::string start : {"data:;base64,", "data:model/vnd.udcp;x=1;base64,"}) {
+      for (const std::string more : {"", "A", "AA", "AAA=", "AAAA", "===="}) {
+        CAPTURE(more);
+        changed["buffers"][0] = {{"byteLength", length}, {"uri", start + digits + more}};
+        CHECK(answer(changed) == "accepted");
+      }
+    }
+    for (std::size_t less = 1; less < 9; ++less) {
+      changed["buffers"][0]["byteLength"] = length - less;
+      CHECK(answer(changed) ==
+            "E_FILE_COUNT: t.gltf: bufferViews[2] reaches past its buffer of " + std::to_string(length - less) + " bytes");
+    }
+    std::string glb = save_bytes(tetrahedron(), "glb");
+    for (const std::size_t at : {std::size_t{8}, std::size_t{20} + word_at(glb, 12)}) {  // the file and its last chunk
+      const std::uint32_t longer = word_at(glb, at) + 3;
+      std::memcpy(glb.data() + at, &longer, 4);
+    }
+    CHECK(parse_error(glb + "xyz", "glb") == "accepted");
+  }
+
   TEST_CASE("glTF files that lie are refused") {
     const auto with = [](auto change) {
       Json changed = document();
@@ -220,6 +137,21 @@ TEST_SUITE("files") {
           "E_FILE_NUMBER: t.gltf: meshes[0].primitives[0].POSITION is not a non-negative integer of reasonable size");
     CHECK(with([](Json& d) { d["accessors"][0]["count"] = 5; }) ==
           "E_FILE_COUNT: t.gltf: accessors[0] promises 5 elements of 12 bytes, but reaches past its view of 48 bytes");
+    CHECK(with([](Json& d) { d["nodes"][0]["mesh"] = std::uint64_t{1} << 32; }) ==
+          "E_FILE_NUMBER: t.gltf: nodes[0].mesh is not a non-negative integer of reasonable size");
+    CHECK(with([](Json& d) { d["meshes"][0]["primitives"][0]["mode"] = (std::uint64_t{1} << 32) + 4; }) ==
+          "E_FILE_NUMBER: t.gltf: meshes[0].primitives[0].mode is not a non-negative integer of reasonable size");
+    CHECK(with([](Json& d) { d["nodes"][0]["children"] = "none"; }) == "E_FILE_SYNTAX: t.gltf: nodes[0].children is not a list");
+    CHECK(with([](Json& d) { d["bufferViews"][0]["byteStride"] = 14; }) ==
+          "E_FILE_FORMAT: t.gltf: bufferViews[0] has a byteStride of 14; only 4, 8, ..., 252 are legal");
+    CHECK(with([](Json& d) { d["buffers"][0]["byteLength"] = 0; }) == "E_FILE_COUNT: t.gltf: buffers[0] has no bytes");
+    CHECK(with([](Json& d) { d["accessors"][1]["bufferView"] = 9; }) ==
+          "E_FILE_INDEX: t.gltf: accessors[1].bufferView names entry 9 of bufferViews, but there are 3");
+    CHECK(with([](Json& d) { d["scene"] = 1; }) == "E_FILE_INDEX: t.gltf: scene names entry 1 of scenes, but there are 1");
+    CHECK(with([](Json& d) {
+            d["scenes"] = Json::array();
+            d["nodes"] = Json::array({5});
+          }) == "E_FILE_SYNTAX: t.gltf: nodes[0] is not an object");
     CHECK(with([](Json& d) {
             d["accessors"][0]["count"] = std::uint64_t{1} << 62;
           }).starts_with("E_FILE_NUMBER: t.gltf: accessors[0].count"));
@@ -287,6 +219,9 @@ TEST_SUITE("files") {
     CHECK(repeat(20) == "accepted");
     CHECK(repeat(6000) ==
           "E_FILE_TOO_LARGE: t.gltf: the nodes repeat their meshes so often that the sum is out of proportion to the file");
+    std::string empty = R"({"asset": {"version": "2.0"}, "nodes": [{})";
+    for (int k = 0; k < 1'000'000; ++k) empty += ",{}";
+    CHECK(parse_error(empty + "]}", "gltf") == "E_FILE_TOO_LARGE: t.gltf: the lists of the file have more than 1000000 entries");
   }
 
   TEST_CASE("a cut GLB is refused at every length") {
@@ -301,8 +236,7 @@ TEST_SUITE("files") {
     namespace fs = std::filesystem;
     const fs::path root = fs::temp_directory_path() / ("udcp-gltf-" + std::to_string(::getpid()));
     fs::create_directories(root / "in");
-    const auto model = second_opinion(save_bytes(tetrahedron(), "gltf"), false);
-    const std::string bytes(model.buffers[0].data.begin(), model.buffers[0].data.end());
+    const std::string bytes = second_opinion(save_bytes(tetrahedron(), "gltf"), false).bytes;
     write_file(root / "in" / "my points.bin", bytes);
     write_file(root / "secret.bin", bytes);
     fs::create_symlink(root / "secret.bin", root / "in" / "link.bin");

@@ -45,6 +45,7 @@ constexpr Sample samples[] = {
     {"text", "\"a\\n\"", "\"a\\x\""},
     {"text_end", "\"a\"", "\"a\n\""},
     {"entry", "f(a = 1)", "f(a = )"},
+    {"entry_set", "f(a in [0, 1])", "f(a in )"},
     {"next_entry", "f(a, b)", "f(a, )"},
     {"call", "f()", "f("},
     {"item_arguments", "U[3]", "U[3"},

@@ -10,6 +10,8 @@
 using udcp::Algebraic;
 using udcp::Error;
 using udcp::Interval;
+using udcp::Jet;
+using udcp::Parametric;
 using udcp::Points;
 using udcp::Rational;
 
@@ -27,10 +29,15 @@ TEST_CASE("exact values enter every number type") {
   CHECK(udcp::number<Interval>(fraction(1, 3)).contains(fraction(1, 3)));
   CHECK(udcp::number<double>(udcp::sqrt(Algebraic(3))) == std::sqrt(3.0));
   CHECK(udcp::number<Rational>(Algebraic(fraction(2, 7))) == fraction(2, 7));
+  CHECK(udcp::number<Parametric>(Algebraic(fraction(2, 7))) == Parametric(fraction(2, 7)));
+  CHECK(
+      (udcp::number<Jet>(udcp::sqrt(Algebraic(3))) * udcp::number<Jet>(udcp::sqrt(Algebraic(3)))).value().contains(Rational(3)));
   CHECK(udcp::number_from_double<Interval>(0.1).contains(Rational::from_double(0.1)));
   CHECK_THROWS_AS(udcp::number<double>(pow(Rational(10), 400)), Error);
   CHECK_THROWS_AS(udcp::number<Rational>(udcp::sqrt(Algebraic(3))), Error);
+  CHECK_THROWS_AS(udcp::number<Parametric>(udcp::sqrt(Algebraic(3))), Error);
   CHECK_THROWS_AS(udcp::number_from_double<Rational>(0.5), Error);
+  CHECK_THROWS_AS(udcp::number_from_double<Parametric>(0.5), Error);
   CHECK_THROWS_AS(udcp::number_from_double<Algebraic>(0.5), Error);
 }
 
@@ -51,7 +58,8 @@ TEST_CASE("numbers print as the language reads them") {
 }
 
 // All products below have the one type Points<S> * Points<S>: Eigen compiles each other combination anew.
-TEST_CASE_TEMPLATE("Eigen adds and multiplies matrices of every number type", S, double, Rational, Algebraic, Interval) {
+TEST_CASE_TEMPLATE("Eigen adds and multiplies matrices of every number type", S, double, Rational, Algebraic, Interval,
+                   Parametric, Jet) {
   Points<S> a(2, 2);
   a << S(1), S(2), S(3), S(4);
   const Points<S> square = a * a;

@@ -13,6 +13,8 @@ namespace {
 bool agrees(const Rational& exact, const Rational& value) { return exact == value; }
 bool agrees(const Rational& exact, const Algebraic& value) { return Algebraic(exact) == value; }
 bool agrees(const Rational& exact, const Interval& value) { return value.contains(exact) && value.width() < 1e-20; }
+bool agrees(const Rational& exact, const Parametric& value) { return Parametric(exact) == value; }
+bool agrees(const Rational& exact, const Jet& value) { return value.is_constant() && agrees(exact, value.value()); }
 // Below a hundred roundings each of values below 1e4.
 bool agrees(const Rational& exact, double value) { return std::abs(exact.to_double() - value) < 1e-10; }
 
@@ -40,7 +42,7 @@ Word rational_circle(const std::string& atoms) {
 }  // namespace
 
 TEST_SUITE("operators") {
-  TEST_CASE_TEMPLATE("all number types agree on curves", S, double, Rational, Algebraic, Interval) {
+  TEST_CASE_TEMPLATE("all number types agree on curves", S, double, Rational, Algebraic, Interval, Parametric, Jet) {
     Dice dice(131);
     for (int trial = 0; trial < 25; ++trial) {
       const std::string atoms = random_atoms(dice);
@@ -54,7 +56,7 @@ TEST_SUITE("operators") {
           0);
   }
 
-  TEST_CASE_TEMPLATE("all number types agree on meshes", S, double, Rational, Algebraic, Interval) {
+  TEST_CASE_TEMPLATE("all number types agree on meshes", S, double, Rational, Algebraic, Interval, Parametric, Jet) {
     Dice dice(132);
     for (const auto& list : {quad_meshes(), polygon_meshes()}) {
       for (const NamedMesh& named : list) {
@@ -82,7 +84,8 @@ TEST_SUITE("operators") {
     CHECK(disagreements(run(word, ring, 1).points, run(word, convert<S>(ring), 1).points) == 0);
   }
 
-  TEST_CASE_TEMPLATE("constants are reproduced whatever the parameters are", S, double, Rational, Algebraic, Interval) {
+  TEST_CASE_TEMPLATE("constants are reproduced whatever the parameters are", S, double, Rational, Algebraic, Interval, Parametric,
+                     Jet) {
     const KernelPtr rough =
         formula([]<class T>(const Context<T>& c) { return Rational(2) + noise<T>(Rational(5), c.round, c.vertex) / Rational(4); },
                 {true, true, true});

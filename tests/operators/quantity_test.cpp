@@ -14,6 +14,8 @@ using udcp::approximate;
 using udcp::Error;
 using udcp::ErrorKind;
 using udcp::Interval;
+using udcp::Jet;
+using udcp::Parametric;
 using udcp::Quantity;
 using udcp::Rational;
 
@@ -57,7 +59,7 @@ Quantity<S> loop_delta(int n) {
 
 TEST_SUITE_BEGIN("operators");
 
-#define UDCP_TEST_NUMBERS double, Rational, Algebraic, Interval
+#define UDCP_TEST_NUMBERS double, Rational, Algebraic, Interval, Parametric, Jet
 
 TEST_CASE_TEMPLATE("rational operations stay rational", S, UDCP_TEST_NUMBERS) {
   using Q = Quantity<S>;
@@ -115,7 +117,7 @@ TEST_CASE_TEMPLATE("cosines and sines that are rational are exact in every type"
   CHECK(code_of([] { tan(pi<S>(3, 2)); }) == "E_DIV0");
 }
 
-TEST_CASE_TEMPLATE("other cosines are numbers with the right value", S, double, Algebraic, Interval) {
+TEST_CASE_TEMPLATE("other cosines are numbers with the right value", S, double, Algebraic, Interval, Jet) {
   for (long q = 5; q < 30; ++q) {
     for (long p = 1; p < q; ++p) {
       CAPTURE(p);

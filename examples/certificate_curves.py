@@ -122,13 +122,17 @@ def mask_of(word):
 
 
 def describe(word):
-    atoms, parameters = [], []
+    splits = sum(item["atom"] == "U" for item in word["items"])
+    pushes = sum(item["atom"] == "P" for item in word["items"])
+    atoms, parameters, averages = [], [], 0
     for item in word["items"]:
-        atoms.append(item["atom"] + (f"[{item['sections']}]" if item.get("sections", 2) != 2 else ""))
+        own = [str(item["sections"])] if item.get("sections", 2) != 2 else []
         if item.get("f", "1") != "1":
-            parameters.append(f"f = {item['f']}")
+            (parameters if splits == 1 and averages == 0 else own).append(f"f = {item['f']}")
+        averages += item["atom"] in "CD"
         if item["atom"] == "P":
-            parameters += [f"omega = {item['omega']}", f"delta = {item['delta']['4']}"]
+            (parameters if pushes == 1 else own).extend([f"omega = {item['omega']}", f"delta = {item['delta']['4']}"])
+        atoms.append(item["atom"] + (f"[{', '.join(own)}]" if own else ""))
     return f"({' '.join(atoms)})*" + (" where " + ", ".join(parameters) if parameters else "")
 
 

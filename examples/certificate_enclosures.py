@@ -270,8 +270,7 @@ def number(value, where):
     """A fraction, or an irrational number of a field that is not too large."""
     if not isinstance(value, dict):
         return fraction(value, where)
-    if "formula" in value or "names" in value:
-        raise CannotCheck("parameters that are functions are not known here")
+    require("formula" not in value and "names" not in value, f"{where} must be a number: functions are no constant parameters")
     entries(value, ["order", "coefficients"], where)
     order = integer(value["order"], 5, 4000, where)
     if order > 400:

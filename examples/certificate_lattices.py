@@ -117,20 +117,24 @@ def check_word(word, valence):
 
 
 def describe(word):
-    atoms, parameters = [], []
+    pushes = sum(item["atom"] == "P" for item in word["items"])
+    atoms, parameters, averages = [], [], 0
     for item in word["items"]:
-        atoms.append(item["atom"] + ("[ngon = classic]" if item.get("ngon") == "classic" else ""))
+        own = ["ngon = classic"] if item.get("ngon") == "classic" else []
         if item.get("f", "1") != "1":
-            parameters.append(f"f = {number(item['f'], 'f')}")
+            (parameters if averages == 0 else own).append(f"f = {number(item['f'], 'f')}")
+        averages += item["atom"] in "CD"
         if item["atom"] == "P":
-            parameters.append(f"omega = {number(item['omega'], 'omega')}")
+            texts = parameters if pushes == 1 else own
+            texts.append(f"omega = {number(item['omega'], 'omega')}")
             if item["omega_face"] is not None:
-                parameters.append(f"omega@face = {number(item['omega_face'], 'omega@face')}")
+                texts.append(f"omega@face = {number(item['omega_face'], 'omega@face')}")
             values = {n: str(number(value, "delta")) for n, value in item["delta"].items()}
             if len(set(values.values())) == 1:
-                parameters.append(f"delta = {list(values.values())[0]}")
+                texts.append(f"delta = {list(values.values())[0]}")
             else:
-                parameters += [f"delta({n}) = {text}" for n, text in values.items()]
+                texts += [f"delta({n}) = {text}" for n, text in values.items()]
+        atoms.append(item["atom"] + (f"[{', '.join(own)}]" if own else ""))
     return (f"({' '.join(atoms)})*" + (" on triangles" if word["triangles"] else "") +
             (" where " + ", ".join(parameters) if parameters else ""))
 
@@ -246,8 +250,8 @@ class Round:
                 return before(vertex)
             return combined([(Fraction(1), before(vertex))] + [(factor / len(parents), difference(v)) for v in parents])
         self.row = remembered(at)
-        if omega != 0 or omega_face != 0:
-            self.reach += 2
+        if omega != 0 or omega_face != 0:  # old points are four half steps apart, so in them less may act
+            self.reach = max(self.reach, 2 + self.reach // 4 * 4)
 
 
 def is_on_edge(lattice, vertex):

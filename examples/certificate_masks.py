@@ -40,56 +40,68 @@ def difference(mask, direction):
     return result
 
 
-class Table:
-    """A mask, or a power of one, over scale: integers (or irrational numbers, over 1) in rows[j][i] at (x + 2i, y + 2j)."""
-
-    def __init__(self, mask):
-        self.x, self.y = min(x for x, _ in mask), min(y for _, y in mask)
-        self.scale = math.lcm(*(weight.denominator for weight in mask.values())) if is_rational(mask) else 1
-        width, height = ((max(place[k] for place in mask) - (self.x, self.y)[k]) // 2 + 1 for k in (0, 1))
-        self.rows = [[0] * width for _ in range(height)]
-        for (x, y), weight in mask.items():
-            value = weight * self.scale
-            self.rows[(y - self.y) // 2][(x - self.x) // 2] = int(value) if is_rational(mask) else value
-
-    def after(self, power):
-        """The table of one round more than `power`."""
-        result = Table.__new__(Table)
-        result.x, result.y, result.scale = self.x + 2 * power.x, self.y + 2 * power.y, self.scale * power.scale
-        width, n = len(self.rows[0]) + 2 * (len(power.rows[0]) - 1), 2 * len(power.rows[0]) - 1
-        result.rows = [[0] * width for _ in range(len(self.rows) + 2 * (len(power.rows) - 1))]
-        for j, old in enumerate(power.rows):
-            for v, weights in enumerate(self.rows):
-                row = result.rows[2 * j + v]
-                for u, weight in enumerate(weights):
-                    if weight != 0:
-                        row[u:u + n:2] = [x + weight * p for x, p in zip(row[u:u + n:2], old)]
-        return result
-
-    def size(self):
-        return len(self.rows) * len(self.rows[0])
+def denominator(mask):
+    return math.lcm(*(weight.denominator for weight in mask.values()))
 
 
-def powers(mask, most, limit):
-    """The tables of 1, 2, .. rounds, as long as their work stays below the limit."""
-    table = Table(mask)
-    power = table
+class Power:
+    """The mask of some rounds, over scale: integers rows[j][i] at (x + 2i, y + 2j); new points at y - 2^rounds k."""
+
+    def __init__(self, x, y, scale, rows):
+        self.x, self.y, self.scale, self.rows = x, y, scale, rows
+
+
+def powers(mask, most):
+    """The masks of 1, 2, .. rounds of a rational mask: A(z) A(z^2) A(z^4) .. with every row of coefficients packed in one integer,
+    so that a row times a weight is one product."""
+    x0, y0, scale = min(x for x, _ in mask), min(y for _, y in mask), denominator(mask)
+    weights = [((x - x0) // 2, (y - y0) // 2, int(weight * scale)) for (x, y), weight in mask.items()]
+    wide, high = max(i for i, _, _ in weights), max(j for _, j, _ in weights)
+    size = sum(abs(weight) for _, _, weight in weights).bit_length() * most // 8 + 1  # bytes of a coefficient with its sign
+    packed, width = [1], 1
     for rounds in range(1, most + 1):
-        yield rounds, power
-        if power.size() * table.size() > limit:
-            return
-        power = table.after(power)
+        step = 2 ** (rounds - 1)
+        following = [0] * (len(packed) + high * step)
+        for j, row in enumerate(packed):
+            for i, v, weight in weights:
+                following[j + v * step] += weight * row << 8 * size * i * step
+        packed, width = following, width + wide * step
+        yield rounds, Power(x0 * (2 * step - 1), y0 * (2 * step - 1), scale ** rounds, unpacked(packed, width, size))
+
+
+def unpacked(packed, width, size):
+    half = 1 << 8 * size - 1
+    bias = ((1 << 8 * size * width) - 1) // ((1 << 8 * size) - 1) * half
+    rows = [(row + bias).to_bytes(size * width, "little") for row in packed]
+    return [[int.from_bytes(row[k:k + size], "little") - half for k in range(0, len(row), size)] for row in rows]
 
 
 def contraction(mask, rounds):
     """The sup norm of so many rounds: the largest sum of moduli over the residues modulo 2^rounds."""
-    for done, power in powers(mask, rounds, 3e7 if is_rational(mask) else 2e5):
-        if done == rounds:
-            period = 2 ** rounds
-            columns = [[sum(map(abs, row[i::period])) for i in range(period)] for row in power.rows]
-            norm = max(sum(column) for j in range(period) for column in zip(*columns[j::period]))
-            return norm * Fraction(1, power.scale)
-    raise CannotCheck("so many rounds of the regular part are not checked here")
+    if not is_rational(mask):
+        return contraction_by_terms(mask, rounds)
+    if 4 ** rounds * max(x for x, _ in mask) * max(y for _, y in mask) > 1e6:
+        raise CannotCheck("so many rounds of the regular part are not checked here")
+    power, period = list(powers(mask, rounds))[-1][1], 2 ** rounds
+    columns = [[sum(map(abs, row[i::period])) for i in range(period)] for row in power.rows]
+    return Fraction(max(sum(column) for j in range(period) for column in zip(*columns[j::period])), power.scale)
+
+
+def contraction_by_terms(mask, rounds):
+    if rounds > 3:
+        raise CannotCheck("so many rounds of an irrational regular part are not checked here")
+    power, sums = {(0, 0): Fraction(1)}, {}
+    for _ in range(rounds):
+        following = {}
+        for (x, y), value in power.items():
+            for (ox, oy), weight in mask.items():
+                at = ox + 2 * x, oy + 2 * y
+                following[at] = following.get(at, 0) + weight * value
+        power = following
+    for (x, y), value in power.items():
+        residue = x % 2 ** (rounds + 1), y % 2 ** (rounds + 1)
+        sums[residue] = sums.get(residue, 0) + abs(value)
+    return max(sums.values())
 
 
 class Regular:

@@ -8,7 +8,7 @@ from fractions import Fraction
 from certificate_algebra import CannotCheck, require
 from certificate_enclosures import ONE, Enclosure, enclosed, total
 from certificate_lattices import CENTRE
-from certificate_masks import Table, is_rational, powers
+from certificate_masks import denominator, is_rational, powers
 
 CHILDREN = ((0, 0), (2, 0), (0, 2), (2, 2))
 DEEPEST = 10
@@ -201,9 +201,7 @@ def hull_constant(mask, points):
     if min(mask.values()) >= 0:
         return Fraction(1)
     best = None
-    for rounds, power in powers(mask, 8, math.inf):
-        if 4 ** rounds * len(points) ** 2 >= 5e7:
-            break
+    for rounds, power in powers(mask, max(k for k in range(1, 9) if k == 1 or 4 ** k * len(points) ** 2 < 5e7)):
         alpha, beta = (Fraction(x, 2 * power.scale) for x in windows(power, points, rounds, subcells(mask, points, 2 ** rounds)))
         if beta < Fraction(99, 100):
             best = alpha / (1 - beta)
@@ -217,8 +215,7 @@ class CellScheme:
     """Data of cells are complex numbers at the points, in units of 2^-SCALE, with one bound of the errors."""
 
     def __init__(self, mask, points, hull):
-        table, self.points, self.hull = Table(mask), points, hull
-        self.scale = table.scale
+        self.points, self.hull, self.scale = points, hull, denominator(mask)
         weights = {place: int(weight * self.scale) for place, weight in mask.items()}
         self.children = [[[(k, weights[x + ex - 2 * i, y + ey - 2 * j]) for k, (i, j) in enumerate(points)
                            if (x + ex - 2 * i, y + ey - 2 * j) in weights] for x, y in points] for ex, ey in CHILDREN]

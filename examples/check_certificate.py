@@ -27,6 +27,7 @@ CHECKERS = {"all-of": all_of, **certificate_curves.CHECKERS, **certificate_surfa
 
 
 def statement_of(kind, data):
+    require(isinstance(kind, str), "the kind must be a text")
     if kind not in CHECKERS:
         raise CannotCheck(f"certificates of the kind {kind!r} are not known here")
     return CHECKERS[kind](data)
@@ -53,7 +54,7 @@ def check(text):
         raise Rejected(f"not JSON: {error}") from error
     require(isinstance(certificate, dict) and list(certificate) == ["format", "version", "kind", "statement", "data", "digest"],
             "a certificate has the entries format, version, kind, statement, data, digest, in this order")
-    require(certificate["format"] == "udcp-certificate" and certificate["version"] == 1 and certificate["version"] is not True,
+    require(certificate["format"] == "udcp-certificate" and type(certificate["version"]) is int and certificate["version"] == 1,
             "another format or version")
     require(certificate["digest"] == digest(certificate), "the digest does not fit: something in the certificate was changed")
     statement = statement_of(certificate["kind"], certificate["data"])

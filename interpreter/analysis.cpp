@@ -79,6 +79,10 @@ Rational nearby_fraction(double x) {
 }  // namespace
 
 Value show_holder(CallContext& context, const Arguments& a) {
+  const Word& word = need_word(a, 0).word;
+  if (!is_static(word) && word.alpha0.plain)
+    return claim_value(undecided("the Hoelder exponent of a word with functions of alpha",
+                                 "exponents are proved for constant parameters only; prove c(word, k) decides its smoothness"));
   const Regularity regularity = holder(static_scheme(a), search_limits(context));
   if (regularity.result.verdict != Verdict::proved) return claim_value(regularity.result);
   ReportValue report;

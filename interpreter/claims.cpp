@@ -3,6 +3,7 @@
 #include "interpreter/claims.h"
 
 #include <algorithm>
+#include <cctype>
 #include <set>
 
 #include "files/geometry_file.h"
@@ -71,6 +72,10 @@ Domains read_domains(const std::vector<grammar::Domain>& domains, CallContext& c
   Domains result;
   std::set<std::string> seen;
   for (const grammar::Domain& d : domains) {
+    static const std::set<std::string> reserved = {"alpha", "alpha0", "h", "pi", "oo", "v", "X"};
+    if (reserved.contains(d.name))
+      throw Located(bad_domain("'" + d.name + "' has a meaning of its own and cannot run over a domain", "use another name"),
+                    d.span);
     if (!seen.insert(d.name).second) throw Located(bad_domain("'" + d.name + "' has two domains", "give it one"), d.span);
     if (std::holds_alternative<grammar::Interval>(d.set->node)) {
       if (d.name == "N")
@@ -102,6 +107,34 @@ void for_values(const Domains& domains, std::size_t k, const std::shared_ptr<con
     inner->names.emplace(domains.lists[k].first, value);
     for_values(domains, k + 1, inner, f);
   }
+}
+
+/// The values of this pass of those names that words may leave open.
+std::map<std::string, Rational> open_parameters(const Domains& domains, const Environment& scope) {
+  std::map<std::string, Rational> values;
+  for (const auto& [name, list] : domains.lists) {
+    if (name != "f" && name != "omega" && name != "delta") continue;
+    const auto* number = scope.find(name)->as<NumberValue>();
+    if (!number) throw bad_domain("the values of '" + name + "' must be numbers", "such as 0 .. 3");
+    try {
+      values[name] = number_as<Rational>(*number);
+    } catch (const Error& error) {
+      if (error.kind != ErrorKind::not_exact) throw;
+      throw bad_domain("the values of '" + name + "' must be rational", "write them into the word");
+    }
+  }
+  return values;
+}
+
+/// The name stands in the text as a word of its own.
+bool mentions(const std::string& text, const std::string& name) {
+  const auto is_part = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
+  for (std::size_t at = text.find(name); at != std::string::npos; at = text.find(name, at + 1)) {
+    const bool begins = at == 0 || !is_part(text[at - 1]),
+               ends = at + name.size() == text.size() || !is_part(text[at + name.size()]);
+    if (begins && ends) return true;
+  }
+  return false;
 }
 
 std::string domain_text(const std::vector<grammar::Domain>& domains) {
@@ -191,7 +224,12 @@ Value claim_value(Result result, const std::string& domain) {
 
 Value decide_claim(const grammar::Claim& c, CallContext& context) {
   const Domains domains = read_domains(c.domains, context);
-  const ClaimDomain domain{domains.box, domains.valences, !c.prove};
+  std::size_t passes = 1;
+  for (const auto& [name, values] : domains.lists) {
+    passes *= values.size();
+    if (passes > 1000) throw bad_domain("the domain has more than 1000 combinations of values", "prove parts of it");
+  }
+  ClaimDomain domain{domains.box, domains.valences, !c.prove};
   auto scope = std::make_shared<Environment>();
   scope->frame = true;
   scope->outer = context.scope;
@@ -199,9 +237,15 @@ Value decide_claim(const grammar::Claim& c, CallContext& context) {
     scope->names.emplace(range.name, Value{NumberValue{Parametric::variable(range.name)}});
   std::vector<Result> results;
   for_values(domains, 0, scope, [&](const std::shared_ptr<const Environment>& inner) {
+    domain.fixed = open_parameters(domains, *inner);
     const Inside inside(context, inner, domain);
     results.push_back(result_of(*c.claim, context));
   });
+  for (const grammar::Domain& d : c.domains) {
+    if (d.name != "N" && !domain.filled.contains(d.name) && !mentions(grammar::to_string(*c.claim), d.name))
+      throw Located(
+          bad_domain("nothing in the claim depends on '" + d.name + "'", "leave its domain away, or use it in the word"), d.span);
+  }
   Result result = all_of(std::move(results));
   save_certificate(c, result, context);
   return claim_value(std::move(result), domain_text(c.domains));

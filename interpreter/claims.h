@@ -1,6 +1,9 @@
 // Claims of the language: what they run over, and which proof decides them. The proofs themselves are in proofs/.
 #pragma once
 
+#include <map>
+#include <set>
+
 #include "interpreter/arguments.h"
 #include "proofs/bernstein.h"
 #include "proofs/verdict.h"
@@ -12,7 +15,9 @@ namespace udcp {
 struct ClaimDomain {
   ParameterBox box;
   std::vector<int> valences;
-  bool evidence_only = false;  // check: numbers in floating point, never a proof
+  bool evidence_only = false;               // check: numbers in floating point, never a proof
+  std::map<std::string, Rational> fixed{};  // f, omega and delta from lists: the values of this pass
+  mutable std::set<std::string> filled{};   // of the names above and in the box: those that a word left open
 };
 
 /// prove / check: decides the claim over its domains; the value is a claim report. Throws Located: E_DOMAIN for sets that are no
@@ -25,7 +30,7 @@ Value verify_file(const std::string& path, CallContext& context);
 Value claim_value(Result result, const std::string& domain = {});
 SearchLimits search_limits(const CallContext& context);
 /// Parameters of the domain named f, omega and delta stand for those of the word that it leaves open.
-Word with_parameters(Word word, const ParameterBox& box);
+Word with_parameters(Word word, const ClaimDomain& domain);
 /// "name in set" as a range; a range a .. b is closed. Throws Located E_DOMAIN.
 ParameterRange range_of(const std::string& name, const grammar::Expr& set, CallContext& context);
 

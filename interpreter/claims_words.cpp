@@ -34,20 +34,26 @@ std::vector<int> valences_of(const CallContext& context, const Arguments& a) {
 
 }  // namespace
 
-Word with_parameters(Word word, const ParameterBox& box) {
-  for (const ParameterRange& range : box) {
-    const KernelPtr variable = symbol(range.name);
-    const auto fill = [&](Directional<KernelPtr>& slot) {
-      for (KernelPtr* kernel : {&slot.plain, &slot.latitude, &slot.longitude}) {
-        if (!*kernel) *kernel = variable;
-      }
+Word with_parameters(Word word, const ClaimDomain& domain) {
+  std::map<std::string, KernelPtr> kernels;
+  for (const ParameterRange& range : domain.box) kernels[range.name] = symbol(range.name);
+  for (const auto& [name, value] : domain.fixed) kernels[name] = constant(value);
+  for (const auto& [name, kernel] : kernels) {
+    const auto fill = [&, &parameter = name, &variable = kernel](KernelPtr& slot) {
+      if (slot) return;
+      slot = variable;
+      domain.filled.insert(parameter);
     };
     for (std::vector<Item>* items : {&word.head, &word.tail}) {
       for (Item& item : *items) {
-        if (range.name == "f" && (item.atom == Atom::average || item.atom == Atom::convolve)) fill(item.f);
+        if (name == "f" && (item.atom == Atom::average || item.atom == Atom::convolve)) {
+          for (KernelPtr* slot : {&item.f.plain, &item.f.latitude, &item.f.longitude}) fill(*slot);
+        }
         if (item.atom != Atom::push_back) continue;
-        if (range.name == "omega") fill(item.omega);
-        if (range.name == "delta" && !item.delta) item.delta = variable;
+        if (name == "omega") {
+          for (KernelPtr* slot : {&item.omega.plain, &item.omega.latitude, &item.omega.longitude}) fill(*slot);
+        }
+        if (name == "delta") fill(item.delta);
       }
     }
   }
@@ -61,7 +67,19 @@ Word scheme_of(const CallContext& context, const Arguments& a, std::size_t posit
   if (!value.word.is_scheme() || value.rounds)
     throw Error(ErrorKind::word, "E_NOT_A_SCHEME", "a claim about limits needs a word that repeats for ever, but this one ends",
                 "write (UCP)*");
-  return with_parameters(value.word, domain_of(context).box);
+  return with_parameters(value.word, domain_of(context));
+}
+
+/// Why a claim about meshes is not decided for this word; empty if nothing speaks against it.
+std::string not_on_meshes(const Word& word) {
+  if (!word.head.empty()) return "claims about meshes speak of the repeated part of a word; leave the prefix away";
+  if (word.rings != Rings::off) return "rings are not covered: claims about meshes speak of untagged edges";
+  const auto directed = [](const Directional<KernelPtr>& k) { return k.latitude != k.plain || k.longitude != k.plain; };
+  for (const Item& item : word.tail) {
+    if (directed(item.f) || directed(item.omega))
+      return "parameters by direction are not covered: claims about meshes speak of untagged edges";
+  }
+  return directed(word.alpha0) ? "alpha0 by direction is not covered: claims about meshes speak of untagged edges" : "";
 }
 
 std::string smoothness_text(int k) { return k == 0 ? "the scheme converges" : "the limits are C^" + std::to_string(k); }
@@ -86,6 +104,8 @@ std::string missing_round(const Word& word, const Rational& range) {
 Result semi_stationary(const Word& word, int k, const Result& static_part) {
   Result result = prove_asymptotic(word, k, static_part);
   if (result.verdict != Verdict::proved) return result;
+  const Interval alpha = word.alpha0.plain->at(Context<Interval>{{}, 4, 0, -1, nullptr}).value();
+  if (!(alpha >= Interval(0))) return undecided(result.claim, "eq. (11) is shown for alpha0 >= 0 only");
   const std::string missing = missing_round(word, rational_from(result.details["alpha_max"], "alpha_max"));
   return missing.empty() ? result : undecided(result.claim, missing);
 }
@@ -139,6 +159,7 @@ Result smooth_on_curves(const Word& word, int k, const CallContext& context) {
 
 Result smooth_at_vertices(const Word& word, int k, const std::vector<int>& valences, const CallContext& context) {
   const std::string claim = smoothness_text(k) + " at extraordinary vertices";
+  if (const std::string why = not_on_meshes(word); !why.empty()) return undecided(claim, why);
   if (k != 1) return undecided(claim, "on surfaces only C^1 at extraordinary vertices is decided; write c1(w)");
   if (valences.empty()) return undecided(claim, "a claim about surfaces needs valences; write for N in 3 .. 20");
   if (!domain_of(context).box.empty())
@@ -205,12 +226,29 @@ Value claim_equal(CallContext& context, const Arguments& a) {
   const Word first = scheme_of(context, a, 0), second = scheme_of(context, a, 1);
   std::vector<int> valences = valences_of(context, a);
   if (valences.empty() && (first.triangles || second.triangles)) valences = {3, 4, 5, 6, 7};
+  for (const Word* word : {&first, &second}) {
+    const std::string why =
+        valences.empty() ? (word->head.empty() ? "" : "only the repeated parts of words are compared; leave the prefixes away")
+                         : not_on_meshes(*word);
+    if (!why.empty()) return claim_value(undecided("the words are the same operator", why));
+  }
+  for (const ParameterRange& range : domain_of(context).box) {
+    if (range.lower && range.upper && *range.lower == *range.upper)
+      return claim_value(undecided("the words are the same operator",
+                                   "the domain of '" + range.name + "' is a point; write its value into the words"));
+  }
   const auto stationary = [](const Word& word) { return is_static(word) || !word.alpha0.plain; };
   if (!stationary(first) || !stationary(second)) return claim_value(equal_functions(first, second, valences));
   return claim_value(prove_equal(static_limit(first), static_limit(second), valences));
 }
 
 /// circle(w), circle(w, N = corners)
-Value claim_circle(CallContext& context, const Arguments& a) { return claim_value(prove_circle(scheme_of(context, a, 0))); }
+Value claim_circle(CallContext& context, const Arguments& a) {
+  const Word word = scheme_of(context, a, 0);
+  if (!word.head.empty())
+    return claim_value(
+        undecided("regular polygons become circles", "the claim speaks of the repeated part of a word; leave the prefix away"));
+  return claim_value(prove_circle(word));
+}
 
 }  // namespace udcp

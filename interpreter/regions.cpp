@@ -34,7 +34,9 @@ SmoothnessClaim read_claim(const grammar::Expr& e, const ParameterBox& box, Call
   const Value value = evaluate(*call->arguments[0].value, context);
   const auto* word = value.as<WordValue>();
   if (!word || !word->word.is_scheme() || word->rounds || word->word.triangles) throw Located(bad_claim(), e.span);
-  claim.word = static_limit(with_parameters(word->word, box));
+  ClaimDomain domain;
+  domain.box = box;
+  claim.word = static_limit(with_parameters(word->word, domain));
   return claim;
 }
 

@@ -130,6 +130,9 @@ std::string stencil_text(const Stencil<S>& stencil) {
 std::vector<Line> lines_of(const WordValue& value, CallContext& context) {
   const Word word = static_limit(value.word);
   std::vector<Line> lines{{"word", value.source}};
+  if (!is_static(value.word) && value.word.alpha0.plain)
+    lines.push_back(
+        {"note", "the word has functions of alpha; what follows is about its static limit, and prove c(word, k) about the word"});
   const std::vector<std::string> names = names_of(word, context);
   if (!names.empty()) lines.push_back({"the same on curves", joined(names, ", ")});
   std::visit(
@@ -199,7 +202,10 @@ Value show_identity(CallContext& context, const Arguments& a) {
   ReportValue report;
   const std::vector<std::string> names = names_of(static_limit(value.word), context);
   for (const std::string& name : names) report.parts.push_back(Value{TextValue{name}});
-  report.text = names.empty() ? "none of the known schemes on curves" : "on curves this is " + joined(names, " = ");
+  const bool functions = !is_static(value.word) && value.word.alpha0.plain;
+  report.text = names.empty()
+                    ? "none of the known schemes on curves"
+                    : std::string(functions ? "on curves its static limit is " : "on curves this is ") + joined(names, " = ");
   report.json = Json{{"kind", "identity"}, {"names", names}};
   return Value{std::move(report)};
 }

@@ -24,7 +24,10 @@ BoxPolynomial on_box(const ParametricPolynomial& p, const ParameterBox& box) {
       }
     }
     std::size_t size = 1;
-    for (const int e : exponents) size *= static_cast<std::size_t>(e) + 1;
+    for (const int e : exponents) {
+      size *= static_cast<std::size_t>(e) + 1;
+      require(size <= 200'000, "a parameter stands in too high a power");
+    }
     BoxPolynomial monomial{exponents, std::vector<Rational>(size)};
     monomial.coefficients.back() = term.coefficient;
     result = result + monomial;
@@ -35,7 +38,10 @@ BoxPolynomial on_box(const ParametricPolynomial& p, const ParameterBox& box) {
 
 BoxPolynomial raised(const BoxPolynomial& p, const std::vector<int>& degrees) {
   std::size_t size = 1;
-  for (const int d : degrees) size *= static_cast<std::size_t>(d) + 1;
+  for (const int d : degrees) {
+    size *= static_cast<std::size_t>(d) + 1;
+    require(size <= 200'000, "the parameters stand in too high powers");
+  }
   return p + BoxPolynomial{degrees, std::vector<Rational>(size)};
 }
 
@@ -81,6 +87,22 @@ int sign_on(const BoxPolynomial& p, std::vector<Side> box, int depth) {
   return sign_on(p, box, depth - 1) == low ? low : 0;
 }
 
+/// Every parameter of the word has a value everywhere on the box; in the masks its poles may cancel.
+void require_values_on(const Word& word, const ParameterBox& box) {
+  std::vector<Side> sides;
+  for (const ParameterRange& range : box) sides.push_back(finite_side(range));
+  for (const Item& item : word.tail) {
+    for (const KernelPtr& kernel : {item.f.plain, item.omega.plain, item.omega_face, item.delta}) {
+      if (!kernel) continue;
+      const Parametric value = kernel->at(Context<Parametric>{{}, word.triangles ? 6 : 4, 0, -1, nullptr}).value();
+      if (value.is_constant()) continue;
+      const BoxPolynomial denominator = in_finite_coordinates(on_box(value.denominator(), box), box);
+      require(sign_on(denominator, sides, 8) != 0,
+              "a parameter of the word is not shown to have values everywhere on the domain");
+    }
+  }
+}
+
 /// sum |entries| < bound on the cell. Entries without a sign there are tried with both.
 bool sum_below(std::vector<BoxPolynomial> entries, const BoxPolynomial& bound, const std::vector<Side>& cell) {
   BoxPolynomial rest = bound;
@@ -108,6 +130,7 @@ bool sum_below(std::vector<BoxPolynomial> entries, const BoxPolynomial& bound, c
 }  // namespace
 
 BoxScheme difference_scheme_on_box(const Word& word, int smoothness, const ParameterBox& box) {
+  require_values_on(word, box);
   const Mask<Parametric> symbolic = mask<Parametric>(word);
   BoxScheme scheme;
   scheme.arity = symbolic.arity;

@@ -10,6 +10,12 @@ namespace {
 
 constexpr std::array<const char*, 6> envelope = {"format", "version", "kind", "statement", "data", "digest"};
 
+bool is_deeper_than(const Json& json, int levels) {
+  if (!json.is_structured()) return false;
+  if (levels == 0) return true;
+  return std::any_of(json.begin(), json.end(), [&](const Json& part) { return is_deeper_than(part, levels - 1); });
+}
+
 std::string digest_of(const Json& certificate) {
   Json open = certificate;
   open.erase("digest");
@@ -39,6 +45,7 @@ Json seal(const std::string& kind, const std::string& statement, Json data) {
 
 void check_envelope(const Json& certificate) {
   require(certificate.is_object(), "a certificate is a JSON object");
+  require(!is_deeper_than(certificate, 300), "the certificate is nested more than 300 levels deep");
   require(certificate.contains("format") && certificate["format"] == "udcp-certificate",
           "\"format\" is not \"udcp-certificate\"");
   require(certificate.contains("version") && certificate["version"].is_number_integer() && certificate["version"] == 1,

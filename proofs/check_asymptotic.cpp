@@ -1,12 +1,13 @@
 // The checker of "asymptotic": the jets once more, against the stored bounds, and the certificate of the static limit.
 #include "proofs/asymptotic.h"
 #include "proofs/checkers.h"
+#include "proofs/closed_form.h"
 
 namespace udcp {
 
 std::string check_asymptotic(const Json& data) {
   require_entries(data, {"word", "smoothness", "range", "first", "second", "static"}, "data");
-  const Word word = word_from(entry(data, "word"));
+  const Word word = word_with_formulas_from(entry(data, "word"));
   const int k = integer_from(entry(data, "smoothness"), 0, 50, "data.smoothness");
   const Rational range = rational_from(entry(data, "range"), "data.range");
   require(range.sign() > 0 && range <= Rational(1), "data.range must lie in (0, 1]");
@@ -32,7 +33,7 @@ std::string check_asymptotic(const Json& data) {
   const int a = bounds.arity;
   const std::string gamma = bounds.flat ? "1/" + std::to_string(a * a) : "1/" + std::to_string(a);
   return "the limits of " + describe(data["word"]) + " are C^" + std::to_string(k) +
-         " for every alpha0 for which all rounds exist; ||S_h - S|| <= c " + gamma + "^h with c = " +
+         " for every alpha0 >= 0 for which all rounds exist; ||S_h - S|| <= c " + gamma + "^h with c = " +
          (bounds.flat ? (bounds.second / Rational(2)).to_string() + " alpha0^2" : bounds.first.to_string() + " alpha0") +
          " from the round on in which alpha is at most " + range.to_string();
 }

@@ -13,6 +13,11 @@ ParameterRange range_from(const Json& json) {
           "a range of data.box has a name and two flags");
   ParameterRange range;
   range.name = json["name"].get<std::string>();
+  try {
+    (void)Parametric::variable(range.name);
+  } catch (const Error& error) {
+    throw Rejected(std::string("data.box: ") + error.what());
+  }
   if (!json["lower"].is_null()) range.lower = rational_from(json["lower"], "data.box.lower");
   if (!json["upper"].is_null()) range.upper = rational_from(json["upper"], "data.box.upper");
   range.lower_open = json["lower_open"].get<bool>();
@@ -45,7 +50,7 @@ void check_cell(const BoxScheme& scheme, const Json& node, std::vector<Side> cel
     check_cell(scheme, node["above"], cell, depth + 1);
   } else if (node.is_object() && node.contains("norm")) {
     require_entries(node, {"norm"}, "a cell");
-    require(contracts_on(scheme, integer_from(node["norm"], 1, 8, "a cell's norm"), cell), "the norm of a cell is not below 1");
+    require(contracts_on(scheme, integer_from(node["norm"], 1, 2, "a cell's norm"), cell), "the norm of a cell is not below 1");
   } else {
     require_entries(node, {"polytope"}, "a cell");
     const Polytope polytope = polytope_from(node["polytope"]);
@@ -83,6 +88,7 @@ std::vector<Points<Rational>> transitions_on(const BoxScheme& scheme, const std:
 std::string check_curve_box(const Json& data) {
   require_entries(data, {"word", "smoothness", "box", "cells"}, "data");
   const Word word = word_from(entry(data, "word"));
+  require(to_json(word, {4}) == data["word"] && !word.triangles, "the word is not in the form that this program writes");
   const int k = integer_from(entry(data, "smoothness"), 0, 20, "data.smoothness");
   const Json& ranges = entry(data, "box");
   require(ranges.is_array() && !ranges.empty() && ranges.size() <= 6, "data.box must be 1 to 6 ranges");

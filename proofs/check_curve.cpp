@@ -51,7 +51,7 @@ std::vector<Points<S>> matrices_of(const Mask<S>& differences) {
 }
 
 std::vector<int> product_from(const Json& json, std::size_t matrices) {
-  require(json.is_array() && !json.empty() && json.size() <= 100, "a product is a list of 1 to 100 letters");
+  require(json.is_array() && !json.empty() && json.size() <= 20, "a product is a list of 1 to 20 letters");
   std::vector<int> result;
   for (const Json& letter : json)
     result.push_back(integer_from(letter, 0, static_cast<int>(matrices) - 1, "a letter of the product"));

@@ -13,7 +13,12 @@ namespace {
 /// The kernel with c in place of cos(alpha/2).
 KernelPtr in_cosine(const KernelPtr& kernel) {
   if (!kernel) return kernel;
-  if (!kernel->needs().round) return kernel;
+  if (!kernel->needs().round) {
+    const std::vector<std::string> names = kernel->at(Context<Parametric>{}).value().variables();
+    require(std::find(names.begin(), names.end(), "X") == names.end(),
+            "a parameter may not be called X here, which is cos(alpha/2)");
+    return kernel;
+  }
   const std::string text = kernel->closed_form();
   require(!text.empty(), "a parameter is a function of alpha that cannot be written down");
   try {
@@ -24,7 +29,7 @@ KernelPtr in_cosine(const KernelPtr& kernel) {
           if constexpr (std::is_same_v<S, Parametric>) {
             return Quantity<S>::of(value);
           } else {
-            throw Error(ErrorKind::not_exact, "E_PARAMETER", "the value depends on c = cos(alpha/2)");
+            throw Error(ErrorKind::not_exact, "E_PARAMETER", "the value depends on X = cos(alpha/2)");
             return Quantity<S>();
           }
         },
@@ -37,6 +42,7 @@ KernelPtr in_cosine(const KernelPtr& kernel) {
 Word in_cosine(const Word& word) {
   Word result;
   result.tail = word.tail;
+  require(!word.triangles && word.rings == Rings::off, "circles are a matter of curves: no triangles and no rings");
   int splits = 0;
   for (Item& item : result.tail) {
     if (item.atom == Atom::up) {
@@ -53,7 +59,7 @@ Word in_cosine(const Word& word) {
 
 /// T_0 .. T_n at c: cos(k alpha/2).
 std::vector<Parametric> chebyshev(int n) {
-  const Parametric c = Parametric::variable("c");
+  const Parametric c = Parametric::variable("X");
   std::vector<Parametric> t{Parametric(1), c};
   while (static_cast<int>(t.size()) <= n) t.push_back(Parametric(2) * c * t[t.size() - 1] - t[t.size() - 2]);
   return t;
@@ -69,7 +75,7 @@ CircleRound primal_round(const Mask<Parametric>& mask) {
     (k % 2 == 0 ? even : odd) += a * t[static_cast<std::size_t>(std::abs(k))];
   }
   require(even == odd, "old and new points get different radii: the factors are " + even.to_string() + " and " + odd.to_string() +
-                           ", c = cos(alpha/2)");
+                           ", X = cos(alpha/2)");
   return {even, false};
 }
 
@@ -93,7 +99,7 @@ CircleRound dual_round(const Mask<Parametric>& mask) {
     radius += a * cosine[n];
   }
   require(aside.is_zero(),
-          "the new points are not evenly spaced: they turn by a multiple of " + aside.to_string() + ", c = cos(alpha/2)");
+          "the new points are not evenly spaced: they turn by a multiple of " + aside.to_string() + ", X = cos(alpha/2)");
   return {radius, true};
 }
 
@@ -107,19 +113,19 @@ CircleRound circle_round(const Word& word) {
   require(m.first + last == (dual ? -1 : 0) && std::equal(m.coefficients.begin(), m.coefficients.end(), m.coefficients.rbegin()),
           "the mask is not symmetric");
   CircleRound round = dual ? dual_round(m) : primal_round(m);
-  require(round.factor.substitute("c", Parametric(1)) == Parametric(1),
+  require(round.factor.substitute("X", Parametric(1)) == Parametric(1),
           "the radius does not settle: its factor at alpha = 0 is not 1");
   return round;
 }
 
 std::string check_circle(const Json& data) {
   require_entries(data, {"word"}, "data");
-  const Word word = word_from(entry(data, "word"));
+  const Word word = word_with_formulas_from(entry(data, "word"));
   const CircleRound round = circle_round(word);
   return describe(data["word"]) +
-         " turns regular polygons with K corners into circles if alpha0 = 2 pi/K, for every K >= 3; each round multiplies the "
-         "radius by " +
-         (round.dual ? "cos(alpha/4) times " : "") + round.factor.to_string() + " with c = cos(alpha/2)";
+         " takes regular polygons on a circle to regular polygons on a circle with twice as many corners, if alpha is the angle "
+         "between neighbours, wherever its parameters have values; each round multiplies the radius by " +
+         (round.dual ? "cos(alpha/4) times " : "") + round.factor.to_string() + " with X = cos(alpha/2)";
 }
 
 Result prove_circle(const Word& word) {
@@ -129,7 +135,7 @@ Result prove_circle(const Word& word) {
   try {
     const Json data = {{"word", to_json(tail, {4})}};
     Result result =
-        concluded(Verdict::proved, "an identity in c = cos(alpha/2), exact", seal("circle", check_circle(data), data));
+        concluded(Verdict::proved, "an identity in X = cos(alpha/2), exact", seal("circle", check_circle(data), data));
     const CircleRound round = circle_round(word);
     result.details = {{"radius_factor", round.factor.to_string()}, {"times_cos_quarter_alpha", round.dual}};
     return result;
@@ -138,7 +144,7 @@ Result prove_circle(const Word& word) {
     const std::string why = rejected.what();
     if (why.starts_with("old and new") || why.starts_with("the new points are")) {
       result.verdict = Verdict::refuted;
-      result.reason = "the identity in c = cos(alpha/2) fails";
+      result.reason = "the identity in X = cos(alpha/2) fails";
       result.witness = why;
     }
     return result;
@@ -160,13 +166,13 @@ Interval circle_radius(const Word& word, int corners) {
     Interval product(1);
     Rational angle = Rational(2) / Rational(corners);  // alpha_h over pi
     for (int h = 0; h < rounds; ++h, angle /= Rational(2)) {
-      product *= round.factor.at({{"c", udcp::cosine<Interval>(angle / Rational(2))}});
+      product *= round.factor.at({{"X", udcp::cosine<Interval>(angle / Rational(2))}});
       if (round.dual) product *= udcp::cosine<Interval>(angle / Rational(4));
     }
     // The rest: |factor - 1| <= |R(c) - 1| + |cos(alpha/4) - 1| |R| with 1 - c <= alpha^2/8, 1 - cos(alpha/4) <= alpha^2/32.
     const Interval alpha = Interval(angle) * Interval::pi();
     const Interval near = Interval::hull(udcp::cosine<Interval>(angle / Rational(2)), Interval(1));
-    const Interval slope = abs(round.factor.derivative("c").at({{"c", near}})), size = abs(round.factor.at({{"c", near}}));
+    const Interval slope = abs(round.factor.derivative("X").at({{"X", near}})), size = abs(round.factor.at({{"X", near}}));
     Interval sum = slope * alpha * alpha / Interval(8);
     if (round.dual) sum += size * alpha * alpha / Interval(32);
     sum = sum * Interval(Rational(4) / Rational(3));

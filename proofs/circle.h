@@ -8,7 +8,7 @@
 namespace udcp {
 
 /// One round on a regular polygon whose neighbours stand at the angle alpha: 2K corners on a circle, radius times `factor`
-/// (a function of c = cos(alpha/2) and of the parameters of a claim), times cos(alpha/4) for dual words.
+/// (a function of X = cos(alpha/2) and of the parameters of a claim), times cos(alpha/4) for dual words.
 struct CircleRound {
   Parametric factor;
   bool dual = false;

@@ -126,7 +126,7 @@ bool is_half_cosine(const Node& node) {
 }
 
 Parametric in_half_cosine(const Node& node) {
-  if (is_half_cosine(node)) return Parametric::variable("c");
+  if (is_half_cosine(node)) return Parametric::variable("X");
   if (node.operands.empty() && node.name.empty()) return Parametric(node.number);
   if (node.name == "neg") return -in_half_cosine(node.operands[0]);
   if (node.operands.size() == 2) {

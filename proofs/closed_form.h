@@ -5,7 +5,8 @@
 
 #include <string>
 
-#include "operators/kernel.h"
+#include "operators/word.h"
+#include "proofs/certificate.h"
 
 namespace udcp {
 
@@ -13,8 +14,11 @@ namespace udcp {
 /// Throws Error{input, "E_CLOSED_FORM"} for anything else, also past 10,000 characters or 100 levels.
 KernelPtr kernel_from(const std::string& text);
 
-/// The formula as a rational function of c = cos(alpha/2). Error{not_exact, "E_PARAMETER"} if alpha occurs elsewhere than in
+/// The formula as a rational function of X = cos(alpha/2). Error{not_exact, "E_PARAMETER"} if alpha occurs elsewhere than in
 /// cos(alpha/2), or where the functions are not rational.
 Parametric value_in_half_cosine(const std::string& text);
+
+/// word_from() of static_word.h for the certificates that may carry functions of alpha.
+Word word_with_formulas_from(const Json& json);
 
 }  // namespace udcp

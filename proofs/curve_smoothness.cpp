@@ -115,42 +115,48 @@ std::optional<Result> by_polytope(const std::vector<Points<S>>& matrices, const 
   return std::nullopt;
 }
 
+/// By bounds of the joint spectral radius of the differences of full order: at least 1 refutes convergence; C^k needs it below
+/// A^-k.
+template <class S>
+Result by_radius(const Mask<S>& mask, const Json& word, int k, int order, bool stable, Budget& budget) {
+  const std::string claim = claim_of(word, k);
+  const Mask<S> differences = difference_mask(mask, order);
+  if (order == 0 || transition_size(differences) > most_entries)
+    return undecided(claim, "the transition matrices are too large for a search");
+  const std::vector<Points<S>> matrices = transition_matrices(differences);
+  const LeadingProducts leading = leading_products(matrices, budget);
+  if (leading.rate > 1 - 1e-9)
+    if (auto refuted = by_product(matrices, leading, word, k, order, S(1))) return std::move(*refuted);
+  if (order <= k) return undecided(claim, "the mask has only " + std::to_string(order) + " sum rules");
+  const Rational target = pow(Rational(1) / Rational(mask.arity), k);
+  if (leading.rate < target.to_double() * (1 - 1e-9)) {
+    if (auto proof = by_polytope(matrices, leading, word, k, order, target, budget)) return std::move(*proof);
+    return undecided(claim, "no polytope was found within the limits of the search; more time or nodes may help");
+  }
+  if (k > 0 && !stable)
+    return undecided(
+        claim, "the difference schemes do not contract, but the shifts are not known to be stable, so this refutes nothing");
+  if (auto refuted = by_product(matrices, leading, word, k, order, S(target))) return std::move(*refuted);
+  return undecided(
+      claim, "the joint spectral radius is too close to " + target.to_string() + " for this search, or too costly to bound");
+}
+
 template <class S>
 Result decide_smooth(const Mask<S>& mask, const Json& word, int k, Budget& budget) {
-  const int order = sum_rules(mask);
   if (auto proof = by_contraction(mask, word, k, mask.arity == 2 ? 6 : 3, budget)) return std::move(*proof);
-  const Mask<S> differences = difference_mask(mask, order);
-  const bool small = order > 0 && transition_size(differences) <= most_entries;
+  const int order = sum_rules(mask);
   const bool stable = stability(mask) == Stability::stable;
-  const Rational target = pow(Rational(1) / Rational(mask.arity), k);
-  std::string reason = "the transition matrices are too large for a search";
-  if (small) {
-    const std::vector<Points<S>> matrices = transition_matrices(differences);
-    const LeadingProducts leading = leading_products(matrices, budget);
-    if (leading.rate > 1 - 1e-9)
-      if (auto refuted = by_product(matrices, leading, word, k, order, S(1))) return std::move(*refuted);
-    if (order > k && leading.rate > target.to_double() * (1 - 1e-9)) {
-      if (stable && k > 0)
-        if (auto refuted = by_product(matrices, leading, word, k, order, S(target))) return std::move(*refuted);
-      reason = stable
-                   ? "the joint spectral radius is too close to " + target.to_string()
-                   : "the difference schemes do not contract, but the shifts are not known to be stable, so this refutes nothing";
-    } else if (order > k) {
-      if (auto proof = by_polytope(matrices, leading, word, k, order, target, budget)) return std::move(*proof);
-      reason = "no polytope was found within the limits of the search; more time or nodes may help";
-    }
+  Result result = by_radius(mask, word, k, order, stable, budget);
+  if (result.verdict != Verdict::undecided) return result;
+  if (order > k) {
+    if (auto proof = by_contraction(mask, word, k, 14, budget)) return std::move(*proof);
+    return result;
   }
-  if (order <= k) {
-    if (stable)
-      return not_smooth(
-          word, k, {{"kind", "sum rules"}},
-          "C^" + std::to_string(k) + " needs " + std::to_string(k + 1) + " sum rules; the mask has " + std::to_string(order));
-    reason = "the mask has only " + std::to_string(order) +
-             " sum rules, but its shifts are not known to be stable, so this refutes nothing";
-  } else if (auto proof = by_contraction(mask, word, k, 14, budget)) {
-    return std::move(*proof);
-  }
-  return undecided(claim_of(word, k), reason);
+  const std::string count = "C^" + std::to_string(k) + " of a stable scheme needs " + std::to_string(k + 1) +
+                            " sum rules; the mask has " + std::to_string(order);
+  if (stable) return not_smooth(word, k, {{"kind", "sum rules"}}, count);
+  result.reason = count + ", but its shifts are not known to be stable, so this refutes nothing";
+  return result;
 }
 
 /// -log_A of a radius.

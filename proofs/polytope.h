@@ -26,7 +26,7 @@ template <class S>
 bool zeros_within(const Polynomial<S>& p, const S& radius);
 /// Is the spectral radius of the product at least bound^length? Then bound is a lower bound of the joint spectral radius. False,
 /// without a look, for matrices with more than `most_rows` rows, whose polynomials would take too long.
-constexpr int most_rows = 32;
+constexpr int most_rows = 24;
 template <class S>
 bool product_reaches(const std::vector<Points<S>>& matrices, const std::vector<int>& letters, const S& bound);
 

@@ -265,6 +265,10 @@ bool is_static(const Word& word) {
 Word static_limit(const Word& word) {
   if (!word.is_scheme())
     throw Error(ErrorKind::word, "E_NOT_A_SCHEME", "a finite operator has no limit", "write (...)* for a scheme");
+  // f acts on the first average after a U of the same run: before the first U a later round differs from the first one.
+  if (word.tail.front().atom != Atom::up)
+    throw Error(ErrorKind::word, "E_NO_STATIC_LIMIT", "proofs speak of rounds that begin with U, and this one does not",
+                "write what stands before the first U into the prefix and to the end of the round: (C U)* is C (U C)*");
   Word result;
   result.triangles = word.triangles;
   result.rings = word.rings;
@@ -303,6 +307,12 @@ Json to_json(const Word& word, const std::vector<int>& valences) {
 }
 
 Word word_from(const Json& json) {
+  Word word = word_with_formulas_from(json);
+  require(is_static(word), "the word of this certificate must have constant parameters");
+  return word;
+}
+
+Word word_with_formulas_from(const Json& json) {
   require_entries(json, {"triangles", "items"}, "the word");
   require(entry(json, "triangles").is_boolean(), "word.triangles must be true or false");
   require(entry(json, "items").is_array() && !entry(json, "items").empty() && entry(json, "items").size() <= 200,
@@ -311,6 +321,7 @@ Word word_from(const Json& json) {
   result.triangles = json["triangles"].get<bool>();
   for (const Json& item : json["items"])
     result.tail.push_back(item_from(item, "word.items[" + std::to_string(result.tail.size()) + "]"));
+  require(result.tail.front().atom == Atom::up, "the word of a certificate begins with U");
   try {
     validate(result);
   } catch (const Error& error) {
@@ -320,24 +331,38 @@ Word word_from(const Json& json) {
 }
 
 std::string describe(const Json& word) {
-  std::string atoms, parameters;
-  const auto say = [&](const std::string& text) { parameters += (parameters.empty() ? "" : ", ") + text; };
+  // One U and one P: the parameters stand behind; otherwise, and for a kernel that is not the first, at their atoms.
+  int splits = 0, pushes = 0;
   for (const Json& item : entry(word, "items")) {
+    if (entry(item, "atom") == "U") ++splits;
+    if (item["atom"] == "P") ++pushes;
+  }
+  std::string atoms, parameters;
+  int averages = 0;
+  for (const Json& item : word["items"]) {
     const auto atom = entry(item, "atom").get<std::string>();
-    atoms += (atoms.empty() ? "" : " ") + atom;
-    if (atom == "U" && entry(item, "sections") != 2) atoms += "[" + std::to_string(entry(item, "sections").get<int>()) + "]";
-    if (item.contains("ngon") && item["ngon"] == "classic") atoms += "[ngon = classic]";
-    if (item.contains("f") && item["f"] != "1") say("f = " + text_of(item["f"]));
-    if (atom != "P") continue;
-    say("omega = " + text_of(entry(item, "omega")));
-    if (!entry(item, "omega_face").is_null()) say("omega@face = " + text_of(item["omega_face"]));
-    std::set<std::string> values;
-    for (const auto& [valence, value] : entry(item, "delta").items()) values.insert(text_of(value));
-    if (values.size() == 1) {
-      say("delta = " + *values.begin());
-    } else {
-      for (const auto& [valence, value] : item["delta"].items()) say("delta(" + valence + ") = " + text_of(value));
+    std::string own;
+    const auto say = [&](bool behind, const std::string& text) {
+      std::string& list = behind ? parameters : own;
+      list += (list.empty() ? "" : ", ") + text;
+    };
+    if (atom == "U" && entry(item, "sections") != 2) own = std::to_string(entry(item, "sections").get<int>());
+    if (item.contains("ngon") && item["ngon"] == "classic") own = "ngon = classic";
+    if (item.contains("f") && item["f"] != "1") say(splits == 1 && averages == 0, "f = " + text_of(item["f"]));
+    if (atom == "C" || atom == "D") ++averages;
+    if (atom == "P") {
+      const bool behind = pushes == 1;
+      say(behind, "omega = " + text_of(entry(item, "omega")));
+      if (!entry(item, "omega_face").is_null()) say(behind, "omega@face = " + text_of(item["omega_face"]));
+      std::set<std::string> values;
+      for (const auto& [valence, value] : entry(item, "delta").items()) values.insert(text_of(value));
+      if (values.size() == 1) {
+        say(behind, "delta = " + *values.begin());
+      } else {
+        for (const auto& [valence, value] : item["delta"].items()) say(behind, "delta(" + valence + ") = " + text_of(value));
+      }
     }
+    atoms += (atoms.empty() ? "" : " ") + atom + (own.empty() ? "" : "[" + own + "]");
   }
   return "(" + atoms + ")*" + (entry(word, "triangles").get<bool>() ? " on triangles" : "") +
          (parameters.empty() ? "" : " where " + parameters);

@@ -49,9 +49,12 @@ std::optional<Stencil<S>> left_eigenvector(const Mask<S>& mask, const S& eigenva
   Points<S> transposed(n, n);
   for (int i = -reach; i <= reach; ++i)
     for (int j = -reach; j <= reach; ++j) transposed(j + reach, i + reach) = coefficient(mask, i - mask.arity * j);
-  if (jordan_blocks(transposed, eigenvalue) != std::vector{1}) return std::nullopt;
   for (int i = 0; i < n; ++i) transposed(i, i) -= eigenvalue;
-  const Points<S> basis = kernel(transposed);
+  const Points<S> basis = kernel(transposed), right = kernel<S>(transposed.transpose());
+  if (basis.cols() != 1) return std::nullopt;
+  S pairing(0);  // zero in a Jordan block of two or more
+  for (int i = 0; i < n; ++i) pairing += basis(i, 0) * right(i, 0);
+  if (pairing.is_zero()) return std::nullopt;
   S scale(0);
   for (int i = 0; i < n; ++i) scale += (tangent ? S(i - reach) : S(1)) * basis(i, 0);
   if (scale.is_zero()) return std::nullopt;

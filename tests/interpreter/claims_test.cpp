@@ -101,6 +101,16 @@ TEST_CASE("false claims are not proved") {
            "prove keeps_circles((UC)*)",
            "prove keeps_circles((UCP)* where f(alpha) = cos(alpha/2), omega = 1, delta = 1/2)",
            "prove c(catmull_clark, 2) for N in [5]",
+           // what a claim must not overlook: values from lists, poles, prefixes, directions, names with a meaning
+           "prove converges((UCP)*) for omega in [9]",
+           "prove converges((U C C C[f = -4/5])*)",
+           "prove converges((UC)* where f = 1/w) for w in [-1/4, 1]",
+           "prove converges((UC)* where {f(alpha) = 2 + 1/(2*alpha + 1), alpha0 = -1})",
+           "prove keeps_circles((UCP)* where {f = c, omega = 1/c}) for c in (0, 1)",
+           "prove keeps_circles(U (UCP)* where f(alpha) = cos(alpha/2), omega(alpha) = 1/cos(alpha/2))",
+           "prove equal(U (UCP)*, (UCP)*)",
+           "prove equal((UCP)* where {f@lat = 1/2}, (UCP)*) for N in 3 .. 4",
+           "prove c1((UCP)* where f@lat = 100, omega@lon = 77) for N in [5]",
        }) {
     Room room;
     CAPTURE(std::string(claim));
@@ -157,6 +167,10 @@ TEST_CASE("what is no claim or no domain says so") {
   CHECK(room.error("prove converges((UCP)*) for omega in (0, 1), omega in (0, 2)") == "E_DOMAIN");
   CHECK(room.error("prove c1(catmull_clark) for N in (3, 5)") == "E_DOMAIN");
   CHECK(room.error("prove converges(UCP)") == "E_NOT_A_SCHEME");
+  CHECK(room.error("prove converges((UCP)*) for omeg in (0, 100)") == "E_DOMAIN");
+  CHECK(room.error("prove converges((UCP)* where omega = alpha) for alpha in [0, 1]") == "E_DOMAIN");
+  CHECK(room.error("prove c(bspline(a), b) for a in 1 .. 100, b in 1 .. 100") == "E_DOMAIN");
+  CHECK(room.error("prove converges((C U)* where f = -9/10)") == "E_NO_STATIC_LIMIT");
   CHECK(room.error("prove converges((UCP)* where delta = 1 + noise(7)/2^h)") == "E_MASK_VARIES");
   CHECK(room.error("prove converges((UCP)* where delta = 1/(h + 1))") == "E_NO_STATIC_LIMIT");
   CHECK(room.error("verify \"nothing.json\"") == "E_FILE_OPEN");

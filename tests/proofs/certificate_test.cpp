@@ -60,6 +60,30 @@ TEST_CASE("a word comes back from its certificate with the same mask") {
   }
 }
 
+TEST_CASE("certificates of constant words carry no functions of alpha") {
+  Json word = to_json(static_limit(oracle::scheme("UC")), {4});
+  CHECK_NOTHROW((void)word_from(word));
+  word["items"][1]["f"] = Json{{"formula", "(- 1 (* 1000 alpha))"}};
+  CHECK_THROWS_AS((void)word_from(word), Rejected);
+}
+
+TEST_CASE("a deeply nested certificate is refused") {
+  Json deep = 1;
+  for (int k = 0; k < 100'000; ++k) deep = Json::array({std::move(deep)});
+  Json certificate = seal("kind", "a sentence", {{"x", "1/2"}});
+  certificate["data"] = std::move(deep);
+  CHECK_FALSE(verify(certificate).accepted);
+}
+
+TEST_CASE("a sentence about a word says which average has the kernel") {
+  const Word first = static_limit(oracle::scheme("UCC", oracle::value(1, 2)));
+  Word second = first;
+  second.tail[1].f = Directional<KernelPtr>::all(nullptr);
+  second.tail[2].f_everywhere = true;
+  CHECK(describe(to_json(first, {4})) == "(U C C)* where f = 1/2");
+  CHECK(describe(to_json(second, {4})) == "(U C C[f = 1/2])*");
+}
+
 TEST_CASE("the static limit puts alpha to zero") {
   const Word word = oracle::scheme("UCP", oracle::half_cosine(), oracle::inverse_half_cosine());
   CHECK_FALSE(is_static(word));

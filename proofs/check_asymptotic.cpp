@@ -8,6 +8,7 @@ namespace udcp {
 std::string check_asymptotic(const Json& data) {
   require_entries(data, {"word", "smoothness", "range", "first", "second", "static"}, "data");
   const Word word = word_with_formulas_from(entry(data, "word"));
+  require(!word.triangles && to_json(word, {4}) == data["word"], "the word is not in the form that this program writes");
   const int k = integer_from(entry(data, "smoothness"), 0, 50, "data.smoothness");
   const Rational range = rational_from(entry(data, "range"), "data.range");
   require(range.sign() > 0 && range <= Rational(1), "data.range must lie in (0, 1]");

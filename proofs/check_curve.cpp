@@ -1,5 +1,7 @@
 // The checkers of certificates about curves: the mask is derived again from the word by running its atoms, then sum rules, norms,
 // products and polytopes are checked exactly. Searches for nothing.
+#include <cmath>
+
 #include "proofs/checkers.h"
 #include "proofs/polytope.h"
 #include "proofs/static_word.h"
@@ -66,6 +68,8 @@ std::string smoothness(const Mask<S>& mask, const Json& data) {
   if (entry(bound, "kind") == "norm") {
     require_entries(bound, {"kind", "length", "value"}, "the bound");
     const int length = integer_from(entry(bound, "length"), 1, 40, "the number of rounds");
+    const double entries = static_cast<double>(scheme.coefficients.size()) * std::pow(mask.arity, length);
+    require(entries <= (std::is_same_v<S, Rational> ? 100'000 : 10'000), "so many rounds are too long to check");
     const S value = power(S(mask.arity), k * length) * norm(iterated(scheme, length));
     require(value == number_from<S>(entry(bound, "value"), "value"), "the norm of the difference scheme is another");
     require(value < S(1), "the difference scheme does not contract");

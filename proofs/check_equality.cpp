@@ -13,6 +13,13 @@ std::string check_equality(const Json& data) {
                                  integer_from(rounds[1], 1, 6, "data.rounds[1]")};
   const Json& valences = entry(data, "valences");
   require(valences.is_array() && valences.size() <= 100, "data.valences must be a list of integers");
+  std::vector<int> counted;
+  for (const Json& n : valences) counted.push_back(integer_from(n, 3, 100, "a valence"));
+  for (const auto& [word, json] : {std::pair{&first, &data["first"]}, std::pair{&second, &data["second"]}}) {
+    std::vector<int> all = counted;
+    all.push_back(first.triangles ? 6 : 4);
+    require(to_json(*word, all) == *json, "a word is not in the form that this program writes");
+  }
   std::string where = " on curves";
   if (valences.empty()) {
     const std::string difference = equality::difference_on_curves(first, second, compared);

@@ -121,6 +121,7 @@ CircleRound circle_round(const Word& word) {
 std::string check_circle(const Json& data) {
   require_entries(data, {"word"}, "data");
   const Word word = word_with_formulas_from(entry(data, "word"));
+  require(to_json(word, {4}) == data["word"], "the word is not in the form that this program writes");
   const CircleRound round = circle_round(word);
   return describe(data["word"]) +
          " takes regular polygons on a circle to regular polygons on a circle with twice as many corners, if alpha is the angle "

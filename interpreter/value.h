@@ -86,7 +86,7 @@ struct FunctionValue {
 struct ReportValue {
   std::string text;
   Json json;
-  std::vector<Value> parts{};              // what == compares, and what [i] picks
+  std::vector<Value> parts;                // what == compares, and what [i] picks
   std::shared_ptr<const Result> claim{};   // of a claim: its verdict and certificate
   std::function<std::string()> picture{};  // SVG, for plot and save; empty: no picture
   std::function<std::string()> latex{};    // a LaTeX document, for save "x.tex"; empty: none

@@ -35,7 +35,8 @@ TEST_SUITE_BEGIN("proofs");
 TEST_CASE("cells depend on the expected numbers of points") {
   const auto words = oracle::surface_words();
   for (const auto& [name, values] : oracle::surface_values()["schemes"].items()) {
-    CAPTURE(name);
+    const std::string of_word = name;  // clang 14 captures no bindings
+    CAPTURE(of_word);
     const Word& word = words.at(name);
     const auto part = regular_part(lattice_mask<Rational>(word), word.triangles);
     REQUIRE(part.has_value());

@@ -51,8 +51,9 @@ void compare(const Word& word, int n, bool triangles) {
   const oracle::EdgeTable table(faces);
   const Patch<S> rows = patch<S>(word, n, radius);
   for (const auto& [label, row] : rows.rows) {
-    CAPTURE(label.a);
-    CAPTURE(label.b);
+    const Label at = label;
+    CAPTURE(at.a);
+    CAPTURE(at.b);
     const std::set<int> from = parents(n, triangles, label.a / 2, label.b / 2);
     int fine = *from.begin();
     if (from.size() == 2) fine = ring.mesh->vertices() + table.of(*from.begin(), *from.rbegin());
@@ -113,7 +114,8 @@ TEST_CASE("rows around a face are means of the corner with its edges and its fac
 
 TEST_CASE("patches reproduce constants and are mirror symmetric") {
   for (const auto& [name, word] : oracle::surface_words()) {
-    CAPTURE(name);
+    const std::string of_word = name;  // clang 14 captures no bindings
+    CAPTURE(of_word);
     const Patch<Algebraic> rows = patch<Algebraic>(word, 5, 9);
     CHECK(reproduces_constants(rows));
     CHECK(is_mirror_symmetric(rows));

@@ -60,7 +60,8 @@ TEST_CASE("difference masks multiply back") {
 TEST_CASE("regular parts contract by the expected bounds") {
   const auto words = oracle::surface_words();
   for (const auto& [name, values] : oracle::surface_values()["schemes"].items()) {
-    CAPTURE(name);
+    const std::string of_word = name;  // clang 14 captures no bindings
+    CAPTURE(of_word);
     const Word& word = words.at(name);
     const std::optional<RegularPart<Rational>> part = regular_part(lattice_mask<Rational>(word), word.triangles);
     REQUIRE(part.has_value());

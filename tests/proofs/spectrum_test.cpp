@@ -59,7 +59,8 @@ TEST_CASE("subdominant eigenvalues have the closed forms of the literature") {
 TEST_CASE("moduli of eigenvalues by frequency are the expected ones") {
   const auto words = oracle::surface_words();
   for (const auto& [name, values] : oracle::surface_values()["schemes"].items()) {
-    CAPTURE(name);
+    const std::string of_word = name;  // clang 14 captures no bindings
+    CAPTURE(of_word);
     for (const auto& at : values["valence"]) {
       const int n = at["n"];
       if (n > 6 && n != 12) continue;
@@ -70,7 +71,8 @@ TEST_CASE("moduli of eigenvalues by frequency are the expected ones") {
       CHECK(coordinates(rows.sectors, radius).size() == at["block"].get<std::size_t>());
       const auto found = eigenvalues_by_frequency(converted<Interval>(rows), radius);
       for (const auto& [m, moduli] : at["moduli"].items()) {
-        CAPTURE(m);
+        const std::string frequency = m;
+        CAPTURE(frequency);
         const auto& here = found.at(static_cast<std::size_t>(std::stoi(m)));
         for (std::size_t k = 0; k < moduli.size(); ++k)
           CHECK(std::abs(here.at(k)) == doctest::Approx(moduli[k].get<double>()).epsilon(1e-4));
@@ -90,7 +92,8 @@ TEST_CASE("characteristic polynomials in x and the cosine are the expected ones"
       {"UCP omega=1 delta=1 tri", oracle::on_triangles(oracle::scheme("UCP"))},
   };
   for (const auto& [name, values] : oracle::surface_values()["charpoly_in_x_and_c"].items()) {
-    CAPTURE(name);
+    const std::string of_word = name;  // clang 14 captures no bindings
+    CAPTURE(of_word);
     const Patch<Algebraic> rows = converted<Algebraic>(patch<Rational>(words.at(name), 12, 9));
     const int radius = closed_radius(rows);
     CHECK((Rational(radius) / Rational(2)).to_string() == values["r"].get<std::string>());

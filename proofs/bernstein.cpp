@@ -92,8 +92,10 @@ std::vector<std::vector<Rational>> powers_of(const Rational& constant, const Rat
 }
 
 BoxPolynomial to_unit_box(BoxPolynomial p, const std::vector<Side>& box) {
-  for (std::size_t v = 0; v < box.size(); ++v)
-    p = substitute(std::move(p), v, powers_of(box[v].lower, box[v].upper - box[v].lower, p.degrees[v], false));
+  for (std::size_t v = 0; v < box.size(); ++v) {
+    const auto powers = powers_of(box[v].lower, box[v].upper - box[v].lower, p.degrees[v], false);
+    p = substitute(std::move(p), v, powers);
+  }
   return p;
 }
 
@@ -214,7 +216,8 @@ BoxPolynomial in_finite_coordinates(BoxPolynomial p, const ParameterBox& box) {
     // x = (s g + t)/g with t = 1 (from lower) or -1 (from upper); x^j g^d = (t + s g)^j g^(d - j)
     const bool up = box[v].lower.has_value();
     const Rational s = up ? *box[v].lower - Rational(1) : *box[v].upper + Rational(1);
-    p = substitute(std::move(p), v, powers_of(Rational(up ? 1 : -1), s, p.degrees[v], true));
+    const auto powers = powers_of(Rational(up ? 1 : -1), s, p.degrees[v], true);
+    p = substitute(std::move(p), v, powers);
   }
   return p;
 }

@@ -77,7 +77,8 @@ namespace {
 Json terms_to_json(const ParametricPolynomial& p, const std::vector<std::string>& names) {
   Json result = Json::array();
   for (const ParametricPolynomial::Term& term : p.terms) {
-    Json row = {to_json(term.coefficient)};
+    Json row = Json::array();  // {x} would be x itself for some compilers
+    row.push_back(to_json(term.coefficient));
     for (const std::string& name : names) {
       const auto found = std::find(p.names.begin(), p.names.end(), name);
       row.push_back(found == p.names.end() ? 0 : term.exponents[static_cast<std::size_t>(found - p.names.begin())]);

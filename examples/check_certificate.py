@@ -10,6 +10,7 @@ import sys
 
 sys.dont_write_bytecode = True  # leave no trace in the folder of the examples
 import certificate_curves  # noqa: E402
+import certificate_regularity  # noqa: E402
 import certificate_surfaces  # noqa: E402
 from certificate_algebra import CannotCheck, Rejected, entries, require  # noqa: E402
 
@@ -23,7 +24,7 @@ def all_of(data):
     return "; ".join(statement_of(part["kind"], part["data"]) for part in data["parts"])
 
 
-CHECKERS = {"all-of": all_of, **certificate_curves.CHECKERS, **certificate_surfaces.CHECKERS}
+CHECKERS = {"all-of": all_of, **certificate_curves.CHECKERS, **certificate_surfaces.CHECKERS, **certificate_regularity.CHECKERS}
 
 
 def statement_of(kind, data):

@@ -35,6 +35,8 @@ std::span<const Checker> checkers() {
       Checker{"asymptotic", check_asymptotic},
       Checker{"equality", check_equality},
       Checker{"circle", check_circle},
+      Checker{"regular-surface", check_regular_surface},
+      Checker{"irregular-surface", check_irregular_surface},
   };
   return table;
 }

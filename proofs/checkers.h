@@ -32,5 +32,8 @@ std::string check_asymptotic(const Json& data);  // "asymptotic": Theorem 3 of t
 // check_equality.cpp
 std::string check_equality(const Json& data);  // "equality": two words are the same operator
 std::string check_circle(const Json& data);    // "circle": Theorem 1 of the push-back paper
+// check_regularity.cpp
+std::string check_regular_surface(const Json& data);    // "regular-surface": a Catmull-Clark surface is regular
+std::string check_irregular_surface(const Json& data);  // "irregular-surface": it has a singular point
 
 }  // namespace udcp

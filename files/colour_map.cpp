@@ -25,6 +25,25 @@ Colour colour_map(double t) {
   return result;
 }
 
+Colour ColourScale::at(double value) const {
+  if (zero_matters && value <= 0) {
+    constexpr Colour at_zero{0.95, 0.45, 0.33}, at_least{0.5, 0.0, 0.05};
+    const double t = low < 0 ? std::clamp(value / low, 0.0, 1.0) : 0.0;
+    Colour result{};
+    for (std::size_t c = 0; c < 3; ++c) result[c] = (1 - t) * at_zero[c] + t * at_least[c];
+    return result;
+  }
+  const double start = zero_matters ? 0 : low;
+  const double range = high / 2 - start / 2;  // halves: the difference of two large numbers may overflow
+  const double t = (value / 2 - start / 2) / range;
+  return colour_map(range > 0 && std::isfinite(t) ? t : 0.5);
+}
+
+ColourScale colour_scale(std::span<const double> values, bool zero_matters) {
+  const auto [low, high] = std::ranges::minmax(values);
+  return {low, high, zero_matters};
+}
+
 Colour linear(const Colour& srgb) {
   Colour result{};
   std::ranges::transform(srgb, result.begin(),

@@ -40,6 +40,7 @@ struct SaveOptions {
   std::string word;                               // glTF extras; comment line in text formats
   std::map<std::string, std::string> parameters;  // glTF extras
   std::string colour_attribute;                   // scalar attribute shown as COLOR_0 (glTF only)
+  bool zero_matters = false;                      // of that attribute: values that are not positive are red
   const Points<double>* normals = nullptr;  // unit normals per vertex (OBJ, glTF); null: area-weighted face normals (glTF only)
   std::string format;                       // empty: by extension. "ply-ascii" besides the names of load
 };

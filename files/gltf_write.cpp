@@ -151,18 +151,18 @@ Floats normals_of(const Surface<double>& surface, const SaveOptions& options) {
   return result;
 }
 
-std::vector<Colour> colours_of(const Surface<double>& surface, const std::string& name) {
+std::vector<Colour> colours_of(const Surface<double>& surface, const SaveOptions& options) {
+  const std::string& name = options.colour_attribute;
   const auto found = surface.attributes.find(name);
   if (found == surface.attributes.end()) {
     throw Error(ErrorKind::input, "E_ATTRIBUTE", "the surface has no attribute '" + name + "' to show as colour");
   }
-  const auto [low, high] = std::ranges::minmax(found->second);
   if (!std::ranges::all_of(found->second, [](double value) { return std::isfinite(value); })) {
     throw Error(ErrorKind::input, "E_NOT_FINITE", "attribute '" + name + "' has a value that is not finite; nothing was written");
   }
+  const ColourScale scale = colour_scale(found->second, options.zero_matters);
   std::vector<Colour> result;
-  const double range = high / 2 - low / 2;  // halves: the difference of two large numbers may overflow
-  for (const double value : found->second) result.push_back(linear(colour_map(range > 0 ? (value / 2 - low / 2) / range : 0.5)));
+  for (const double value : found->second) result.push_back(linear(scale.at(value)));
   return result;
 }
 
@@ -186,7 +186,7 @@ void add_shape(Document& document, const SceneShape& shape) {
   primitive.attributes["NORMAL"] =
       document.add_floats(normals_of(surface, shape.options), TINYGLTF_TYPE_VEC3, vertex_data, false);
   if (!shape.options.colour_attribute.empty()) {
-    primitive.attributes["COLOR_0"] = document.add_colours(colours_of(surface, shape.options.colour_attribute));
+    primitive.attributes["COLOR_0"] = document.add_colours(colours_of(surface, shape.options));
   }
   primitive.indices = document.add_indices(triangles(surface), surface.mesh->vertices());
   tinygltf::Model& model = document.model();

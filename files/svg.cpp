@@ -81,9 +81,21 @@ class Frame {
     width_ = (usable ? width * scale_ : 1) + 2 * margin_;
     height_ = (usable ? height * scale_ : 1) + 2 * margin_;
   }
-  [[nodiscard]] std::string place(double x, double y) const {
-    return pixels((x - low_x_) * scale_ + margin_) + "," + pixels((high_y_ - y) * scale_ + margin_);
+  [[nodiscard]] std::pair<std::string, std::string> place_apart(double x, double y) const {
+    return {pixels((x - low_x_) * scale_ + margin_), pixels((high_y_ - y) * scale_ + margin_)};
   }
+  [[nodiscard]] std::string place(double x, double y) const {
+    const auto [right, down] = place_apart(x, y);
+    return right + "," + down;
+  }
+  /// Room for a column of the width beside what is drawn, at least so high; returns where it begins.
+  double add_column(double width, double height) {
+    const double start = width_;
+    width_ += width;
+    height_ = std::max(height_, height);
+    return start;
+  }
+  [[nodiscard]] double height() const { return height_; }
   [[nodiscard]] std::string open(const SvgOptions& options) const {
     const std::string size = " width=\"" + pixels(width_) + "\" height=\"" + pixels(height_) + "\"";
     std::string text =
@@ -125,23 +137,45 @@ std::vector<Points<double>> project(const std::vector<SvgLayer>& layers, const S
   return result;
 }
 
+void draw_text(TextWriter& out, const SvgLayer& layer, const Points<double>& plane, const Frame& frame) {
+  const auto [x, y] = frame.place_apart(plane(0, 0), plane(0, 1));
+  out << "<text x=\"" << x << "\" y=\"" << y << "\" font-family=\"sans-serif\" font-size=\"" << pixels(layer.text_size)
+      << "\" text-anchor=\"" << escaped(layer.anchor) << "\" fill=\"" << escaped(layer.stroke) << "\">" << escaped(layer.text)
+      << "</text>\n";
+}
+
+void draw_segments(TextWriter& out, const Points<double>& plane, const Frame& frame) {
+  out << " d=\"";
+  for (Eigen::Index k = 0; k + 1 < plane.rows(); k += 2)
+    out << 'M' << frame.place(plane(k, 0), plane(k, 1)) << 'L' << frame.place(plane(k + 1, 0), plane(k + 1, 1));
+  out << "\"/>\n";
+}
+
+void draw_line(TextWriter& out, const SvgLayer& layer, const Points<double>& plane, const Frame& frame) {
+  out << (layer.segments ? "<path"
+          : layer.closed ? "<polygon"
+                         : "<polyline")
+      << " fill=\"" << escaped(layer.fill) << "\" stroke=\"" << escaped(layer.stroke) << "\" stroke-width=\""
+      << pixels(layer.width) << "\" stroke-linejoin=\"round\"";
+  if (!layer.dash.empty()) out << " stroke-dasharray=\"" << escaped(layer.dash) << '"';
+  if (layer.opacity < 1) out << " opacity=\"" << pixels(layer.opacity) << '"';
+  if (layer.segments) return draw_segments(out, plane, frame);
+  out << " points=\"";
+  for (Eigen::Index k = 0; k < plane.rows(); ++k) out << (k > 0 ? " " : "") << frame.place(plane(k, 0), plane(k, 1));
+  out << "\"/>\n";
+}
+
 void draw_layer(TextWriter& out, const SvgLayer& layer, const Points<double>& plane, const Frame& frame) {
-  const std::string stroke = escaped(layer.stroke);
-  if (layer.width > 0 && plane.rows() > 1) {
-    out << (layer.closed ? "<polygon" : "<polyline") << " fill=\"" << escaped(layer.fill) << "\" stroke=\"" << stroke
-        << "\" stroke-width=\"" << pixels(layer.width) << "\" stroke-linejoin=\"round\"";
-    if (!layer.dash.empty()) out << " stroke-dasharray=\"" << escaped(layer.dash) << '"';
-    out << " points=\"";
-    for (Eigen::Index k = 0; k < plane.rows(); ++k) out << (k > 0 ? " " : "") << frame.place(plane(k, 0), plane(k, 1));
-    out << "\"/>\n";
-  }
+  if (!layer.text.empty() && plane.rows() > 0) return draw_text(out, layer, plane, frame);
+  if (layer.width > 0 && plane.rows() > 1) draw_line(out, layer, plane, frame);
   if (!layer.markers) return;
-  out << "<g fill=\"" << stroke << "\">\n";
+  out << "<g fill=\"" << escaped(layer.stroke) << '"';
+  if (layer.opacity < 1) out << " opacity=\"" << pixels(layer.opacity) << '"';
+  out << ">\n";
   for (Eigen::Index k = 0; k < plane.rows(); ++k) {
-    const std::string place = frame.place(plane(k, 0), plane(k, 1));
-    const auto comma = place.find(',');
-    out << "<circle cx=\"" << place.substr(0, comma) << "\" cy=\"" << place.substr(comma + 1) << "\" r=\""
-        << pixels(1.2 + layer.width) << "\"/>\n";
+    const auto [x, y] = frame.place_apart(plane(k, 0), plane(k, 1));
+    out << "<circle cx=\"" << x << "\" cy=\"" << y << "\" r=\""
+        << pixels(layer.marker_size > 0 ? layer.marker_size : 1.2 + layer.width) << "\"/>\n";
   }
   out << "</g>\n";
 }
@@ -168,22 +202,87 @@ std::string hex(const Colour& colour, double light) {
   return text;
 }
 
-/// Colour per face before shading.
-std::vector<Colour> face_colours(const Surface<double>& surface, const SvgMeshOptions& options) {
-  const Mesh& mesh = *surface.mesh;
-  std::vector<Colour> result(static_cast<std::size_t>(mesh.faces()), parse_colour(options.fill));
-  if (options.colour_attribute.empty()) return result;
+const std::vector<double>& colour_values(const Surface<double>& surface, const SvgMeshOptions& options) {
   const auto found = surface.attributes.find(options.colour_attribute);
   if (found == surface.attributes.end()) {
     throw Error(ErrorKind::input, "E_ATTRIBUTE",
                 "the surface has no attribute '" + options.colour_attribute + "' to show as colour");
   }
-  const auto [low, high] = std::ranges::minmax(found->second);
+  return found->second;
+}
+
+/// A bar of colours from the least to the greatest value, with zero inside where it matters.
+class ColourBar {
+ public:
+  /// x: its left side; height: of the picture.
+  ColourBar(const ColourScale& scale, double x, double height)
+      : scale_(scale),
+        low_(scale.zero_matters ? std::min(scale.low, 0.0) : scale.low),
+        high_(scale.zero_matters ? std::max(scale.high, 0.0) : scale.high),
+        x_(x),
+        bottom_(height - 20) {}
+
+  void draw(TextWriter& out, const std::string& name) const {
+    constexpr int steps = 48;
+    const double step = (bottom_ - top) / steps;
+    out << "<g font-family=\"sans-serif\" font-size=\"12\" fill=\"#202020\">\n";
+    write(out, x_, 14, name);
+    for (int k = 0; k < steps; ++k) {
+      const double share = k == 0 && scale_.low == 0 ? 0 : (k + 0.5) / steps;  // so that a least value of 0 shows
+      out << "<rect x=\"" << pixels(x_) << "\" y=\"" << pixels(bottom_ - (k + 1) * step) << "\" width=\"" << pixels(width)
+          << "\" height=\"" << pixels(step + 0.6) << "\" fill=\"" << hex(scale_.at(low_ * (1 - share) + high_ * share), 1)
+          << "\"/>\n";
+    }
+    mark(out, scale_.high, place(scale_.high), "max ");
+    const bool crowded = std::abs(place(scale_.low) - place(0)) < spacing;
+    if (scale_.low < scale_.high)
+      mark(out, scale_.low, crowded && scale_.low > 0 ? place(0) - spacing : place(scale_.low), "min ");
+    if (scale_.zero_matters && scale_.low != 0 && scale_.high != 0)
+      mark(out, 0, crowded && scale_.low < 0 ? place(scale_.low) - spacing : place(0), "");
+    out << "</g>\n";
+  }
+
+ private:
+  static constexpr double top = 36, width = 14, spacing = 14;
+  [[nodiscard]] double place(double value) const {
+    const double t = (value / 2 - low_ / 2) / (high_ / 2 - low_ / 2);
+    return bottom_ - (bottom_ - top) * (std::isfinite(t) ? t : 0.5);
+  }
+  static void write(TextWriter& out, double x, double y, const std::string& text) {
+    out << "<text x=\"" << pixels(x) << "\" y=\"" << pixels(y + 4) << "\">" << escaped(text) << "</text>\n";
+  }
+  void mark(TextWriter& out, double value, double text_at, const char* label) const {
+    char digits[40];
+    const auto end = std::to_chars(digits, digits + sizeof digits, value, std::chars_format::general, 4).ptr;
+    out << "<path stroke=\"#202020\" d=\"M" << pixels(x_) << ',' << pixels(place(value)) << "h" << pixels(width + 5) << "\"/>\n";
+    write(out, x_ + width + 8, text_at, label + std::string(digits, end));
+  }
+
+  ColourScale scale_;
+  double low_, high_, x_, bottom_;
+};
+
+/// Colour per face before shading, and the faces that must not be hidden where several lie in one plane.
+struct FaceColours {
+  std::vector<Colour> colour;
+  std::vector<char> warned;
+};
+FaceColours face_colours(const Surface<double>& surface, const SvgMeshOptions& options) {
+  const Mesh& mesh = *surface.mesh;
+  const auto faces = static_cast<std::size_t>(mesh.faces());
+  FaceColours result{std::vector<Colour>(faces, parse_colour(options.fill)), std::vector<char>(faces, 0)};
+  if (options.colour_attribute.empty()) return result;
+  const std::vector<double>& values = colour_values(surface, options);
+  const ColourScale scale = colour_scale(values, options.zero_matters);
   for (int f = 0; f < mesh.faces(); ++f) {
-    double sum = 0;
-    for (const int v : mesh.corners(f)) sum += found->second[Mesh::i(v)];
-    const double t = (sum / mesh.size(f) - low) / (high - low);
-    result[Mesh::i(f)] = colour_map(std::isfinite(t) ? t : 0.5);
+    double sum = 0, least = std::numeric_limits<double>::infinity();
+    for (const int v : mesh.corners(f)) {
+      sum += values[Mesh::i(v)];
+      least = std::min(least, values[Mesh::i(v)]);
+    }
+    const bool warned = options.zero_matters && least <= 0;  // a mean would hide a corner that is not positive
+    result.warned[Mesh::i(f)] = warned ? 1 : 0;
+    result.colour[Mesh::i(f)] = scale.at(warned ? least : sum / mesh.size(f));
   }
   return result;
 }
@@ -238,13 +337,17 @@ std::string svg_mesh(const Surface<double>& surface, const SvgMeshOptions& optio
   for (int f = 0; f < mesh.faces(); ++f) {
     for (const int v : mesh.corners(f)) depth[Mesh::i(f)] += seen(v, 2) / mesh.size(f);
   }
-  std::ranges::stable_sort(order, [&](int a, int b) { return depth[Mesh::i(a)] < depth[Mesh::i(b)]; });
-  const auto colours = face_colours(surface, options);
+  const FaceColours colours = face_colours(surface, options);
+  std::ranges::stable_sort(order, [&](int a, int b) {
+    return std::pair(depth[Mesh::i(a)], colours.warned[Mesh::i(a)]) < std::pair(depth[Mesh::i(b)], colours.warned[Mesh::i(b)]);
+  });
   const auto axis = [&](const Vector& direction) {
     return Vector(direction.dot(eye.right), direction.dot(eye.up), direction.dot(eye.towards));
   };
   const Vector seen_light = axis(light);
   TextWriter out(static_cast<std::size_t>(mesh.half_edges()) * 16 + 1000);
+  const bool legend = options.legend && !options.colour_attribute.empty();
+  const double column = legend ? frame.add_column(115, 160) : 0;
   out << frame.open(options) << "<g stroke-width=\"" << pixels(options.edges ? options.edge_width : 0.4)
       << "\" stroke-linejoin=\"round\"";
   if (options.edges) out << " stroke=\"" << escaped(options.edge_colour) << '"';
@@ -259,7 +362,7 @@ std::string svg_mesh(const Surface<double>& surface, const SvgMeshOptions& optio
     }
     normal.stableNormalize();
     const double cosine = (normal.z() < 0 ? -1.0 : 1.0) * normal.dot(seen_light);
-    const std::string fill = hex(colours[Mesh::i(f)], 0.45 + 0.65 * std::max(0.0, std::isfinite(cosine) ? cosine : 0.0));
+    const std::string fill = hex(colours.colour[Mesh::i(f)], 0.45 + 0.65 * std::max(0.0, std::isfinite(cosine) ? cosine : 0.0));
     out << "<polygon fill=\"" << fill << '"';
     if (!options.edges) out << " stroke=\"" << fill << '"';  // covers the hair lines between neighbours
     out << " points=\"";
@@ -267,7 +370,11 @@ std::string svg_mesh(const Surface<double>& surface, const SvgMeshOptions& optio
       out << (k > 0 ? " " : "") << frame.place(seen(corners[k], 0), seen(corners[k], 1));
     out << "\"/>\n";
   }
-  out << "</g>\n</svg>\n";
+  out << "</g>\n";
+  if (legend)
+    ColourBar(colour_scale(colour_values(surface, options), options.zero_matters), column, frame.height())
+        .draw(out, options.colour_attribute);
+  out << "</svg>\n";
   return out.take();
 }
 

@@ -1,4 +1,5 @@
-// Pictures as SVG text: curves with markers and a legend, and shaded meshes. A small scene made of layers; the y axis points up.
+// Pictures as SVG text: curves with markers and a legend, and shaded meshes. A small scene made of layers of lines, filled
+// polygons and words; the y axis points up.
 #pragma once
 
 #include <array>
@@ -18,9 +19,15 @@ struct SvgLayer {
   std::string stroke = "#1f4e79";  // any SVG colour
   double width = 1.5;              // of the line in pixels; 0: no line
   bool markers = false;            // a dot at each point
+  double marker_size = 0;          // its radius; 0: a little more than the width of the line
   std::string label;               // in the legend; empty: none
   std::string fill = "none";
-  std::string dash;  // an SVG dash pattern such as "4 3"
+  std::string dash;              // an SVG dash pattern such as "4 3"
+  bool segments = false;         // points 2k and 2k + 1 make a line of their own, all of them one path
+  double opacity = 1;            // of line and fill
+  std::string text;              // written at the first point in the colour of the stroke; no line then
+  double text_size = 12;         // in pixels
+  std::string anchor = "start";  // which end of the text is at the point: "start", "middle", "end"
 };
 
 struct SvgOptions {
@@ -39,6 +46,8 @@ std::string svg_curve(const Polyline<double>& curve, const SvgOptions& options =
 struct SvgMeshOptions : SvgOptions {
   std::string fill = "#8fb3d9";  // "#rrggbb", shaded by the direction of the face
   std::string colour_attribute;  // instead of fill: a scalar attribute through the colour map
+  bool zero_matters = false;     // of the attribute: positive values through the map from 0 on, others in red
+  bool legend = false;           // a bar with the values of the attribute, beside the mesh
   bool edges = true;
   std::string edge_colour = "#25405c";
   double edge_width = 0.6;

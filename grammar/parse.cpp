@@ -51,6 +51,7 @@ UDCP_TOKEN(text, string);
 UDCP_TOKEN(latin_name, name);
 UDCP_TOKEN(greek_name, greek_name);
 UDCP_TOKEN(valence, name);
+UDCP_TOKEN(test_name, name);
 UDCP_TOKEN(atom, atom);
 UDCP_TOKEN(direction, direction);
 UDCP_TOKEN(open_bracket, open);

@@ -83,6 +83,7 @@ struct name_end : not_at<sor<upper, greek_letter>> {};
 struct latin_name : seq<not_at<keyword>, small, star<name_tail>, must<name_end>> {};
 struct name : sor<latin_name, greek_name> {};
 struct valence : key<one<'N'>> {};
+struct test_name : key<seq<one<'T'>, digit>> {};  // T2: a test of the regularity paper, as an argument
 struct atom_end : not_at<name_tail> {};
 struct atom : seq<one<'U', 'D', 'C', 'P'>, must<atom_end>> {};
 struct text_character : sor<one<'\t'>, utf8::range<0x20, 0x21>, utf8::range<0x23, 0x5B>, utf8::range<0x5D, 0x10FFFF>> {};
@@ -116,7 +117,7 @@ struct direction : seq<one<'@'>, must<direction_name>> {};
 struct called : seq<call> {};
 struct named : seq<name, opt<direction>, opt<called>> {};
 struct operand_head : sor<digit, seq<not_at<keyword>, small>, upper, greek_letter, one<'"', '(', '['>, kw_if> {};
-struct operand : sor<atom, valence, number, text, bracket, conditional, named> {};
+struct operand : sor<atom, valence, test_name, number, text, bracket, conditional, named> {};
 struct member_name : seq<latin_name> {};
 struct member : seq<one<'.'>, at<small>, must<member_name>, opt<call>> {};
 struct minus : seq<one<'-'>, not_at<one<'>'>>> {};

@@ -17,5 +17,6 @@ Value show_identity(CallContext&, const Arguments&);
 Value show_normal_form(CallContext&, const Arguments&);
 Value show_basic_function(CallContext&, const Arguments&);
 Value show_diagram(CallContext&, const Arguments&);
+Value show_difference_schemes(CallContext&, const Arguments&);
 
 }  // namespace udcp

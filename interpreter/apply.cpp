@@ -2,6 +2,8 @@
 // word.
 #include "interpreter/apply.h"
 
+#include "files/geometry_file.h"
+
 #include <unistd.h>
 
 #include "interpreter/formula.h"
@@ -109,9 +111,39 @@ std::shared_ptr<const Points<double>> limit_normals(const WordValue& word, int r
   }
 }
 
+namespace {
+
+/// The points as the file has them, if the file still holds the points that the mesh has in double.
+std::optional<Points<Rational>> decimals_of(const MeshValue& mesh) {
+  if (mesh.file.empty()) return std::nullopt;
+  try {
+    Points<Rational> points = load<Rational>(mesh.file).points;
+    const Points<double>& rounded = std::get<Surface<double>>(mesh.shape).points;
+    if (points.rows() != rounded.rows() || points.cols() != rounded.cols()) return std::nullopt;
+    for (Eigen::Index k = 0; k < points.size(); ++k)
+      if (points.data()[k].to_double() != rounded.data()[k]) return std::nullopt;
+    return points;
+  } catch (const Error&) {
+    return std::nullopt;  // gone or changed
+  }
+}
+
+}  // namespace
+
 Surface<double> as_double(const MeshValue& mesh) {
   if (const auto* surface = std::get_if<Surface<double>>(&mesh.shape)) return *surface;
   return convert<double>(std::get<Surface<Algebraic>>(mesh.shape));
+}
+
+Surface<Rational> as_rational(const MeshValue& mesh) {
+  if (const auto* exact = std::get_if<Surface<Algebraic>>(&mesh.shape))
+    return convert<Rational>(Surface<Algebraic>{exact->mesh, exact->points, exact->tags, {}});
+  const auto& surface = std::get<Surface<double>>(mesh.shape);
+  if (std::optional<Points<Rational>> decimals = decimals_of(mesh)) return {surface.mesh, std::move(*decimals), surface.tags, {}};
+  Surface<Rational> result{surface.mesh, Points<Rational>(surface.points.rows(), surface.points.cols()), surface.tags, {}};
+  for (Eigen::Index k = 0; k < result.points.size(); ++k)
+    result.points.data()[k] = Rational::from_double(surface.points.data()[k]);
+  return result;
 }
 
 Polyline<double> as_double(const CurveValue& curve) {

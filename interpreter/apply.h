@@ -18,6 +18,9 @@ std::shared_ptr<const Points<double>> limit_normals(const WordValue& word, int r
 
 /// The shape in double, whatever it was.
 Surface<double> as_double(const MeshValue&);
+/// The points as fractions, without attributes: the decimals of the file for points as they were loaded, doubles otherwise as the
+/// dyadic numbers that they are. Error{not_exact}: E_NOT_EXACT for irrational coordinates, E_NOT_FINITE.
+Surface<Rational> as_rational(const MeshValue&);
 Polyline<double> as_double(const CurveValue&);
 
 }  // namespace udcp

@@ -37,6 +37,7 @@ Value load_mesh(CallContext& context, const Arguments& a) {
   MeshValue mesh{with_number_type(flag_or(a, a.positional.size(), "exact", false),
                                   [&]<class S>(std::type_identity<S>) { return load<S>(path, &warnings); }),
                  "", nullptr};
+  mesh.file = path.string();
   report_warnings(context, warnings);
   return Value{std::move(mesh)};
 }
@@ -50,13 +51,23 @@ Value load_line(CallContext& context, const Arguments& a) {
   return Value{std::move(curve)};
 }
 
-SvgMeshOptions picture_options(const Arguments& a) {
+bool is_flat(const MeshValue& mesh) {
+  const Points<double> points = as_double(mesh).points;
+  return points.cols() < 3 || points.col(2).isZero(0);
+}
+
+/// Arguments, and where they leave it open what the mesh itself brings.
+SvgMeshOptions picture_options(const Arguments& a, const MeshValue* mesh = nullptr) {
   SvgMeshOptions options;
   const std::size_t by_name = a.positional.size();
   options.size = whole_or(a, by_name, "size", 600, 10, 20'000);
   if (a.find("title")) options.title = need_text(a, by_name, "title");
   if (a.find("colour")) options.colour_attribute = need_text(a, by_name, "colour");
-  options.edges = flag_or(a, by_name, "edges", true);
+  if (mesh && options.colour_attribute.empty()) options.colour_attribute = mesh->colour;
+  options.zero_matters = options.legend = mesh && !mesh->colour.empty() && options.colour_attribute == mesh->colour;
+  if (options.legend) options.background = "#ffffff";
+  if (options.legend && is_flat(*mesh)) options.view = {0, 0, 1};
+  options.edges = flag_or(a, by_name, "edges", !options.legend);  // they would hide the colours of a fine mesh
   return options;
 }
 
@@ -82,7 +93,7 @@ void add_layers(const CurveValue& curve, std::vector<SvgLayer>& layers) {
 }
 
 void save_picture(const Value& value, const std::filesystem::path& path, const Arguments& a) {
-  if (const auto* mesh = value.as<MeshValue>()) return write_file(path, svg_mesh(as_double(*mesh), picture_options(a)));
+  if (const auto* mesh = value.as<MeshValue>()) return write_file(path, svg_mesh(as_double(*mesh), picture_options(a, mesh)));
   if (const auto* report = value.as<ReportValue>(); report && report->picture) return write_file(path, report->picture());
   std::vector<SvgLayer> layers;
   if (const auto* curve = value.as<CurveValue>()) {
@@ -119,6 +130,8 @@ void save_mesh(CallContext& context, const MeshValue& mesh, const std::filesyste
     normals = limit_normals(*mesh.scheme, *mesh.scheme->rounds, surface, run_control(context, "limit normals"));
   options.normals = normals.get();
   if (a.find("colour")) options.colour_attribute = need_text(a, a.positional.size(), "colour");
+  if (options.colour_attribute.empty()) options.colour_attribute = mesh.colour;
+  options.zero_matters = !mesh.colour.empty() && options.colour_attribute == mesh.colour;
   if (a.find("format")) options.format = need_text(a, a.positional.size(), "format");
   save(surface, path, options);
 }

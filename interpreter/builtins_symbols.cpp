@@ -1,5 +1,6 @@
 // What the symbol of a static word says: sum rules, polynomials, limit stencils, norms, stability; and circles and kernels near
 // alpha = 0. Exact, from proofs/symbol.h; nothing is decided about limits here.
+#include "interpreter/analysis.h"
 #include "interpreter/arguments.h"
 #include "interpreter/claims.h"
 #include "interpreter/report.h"
@@ -172,6 +173,13 @@ std::vector<Builtin> builtins_symbols() {
        2,
        {"k"},
        show_difference},
+      {"difference_schemes",
+       "difference_schemes()",
+       "Catmull-Clark differences, their limits, and what the paper on regularity prints about them: agreed or corrected.",
+       0,
+       0,
+       {},
+       show_difference_schemes},
       {"limit_stencil",
        "limit_stencil(word, derivative = 0)",
        "Weights of the old points in a limit point, or in its tangent.",

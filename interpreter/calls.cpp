@@ -195,9 +195,7 @@ Value call_step(Value input, const grammar::Expr& step, const grammar::Call& c, 
   positional.push_back(std::move(input));
   Named named;
   for (const grammar::Argument& a : c.arguments) {
-    const auto* name = std::get_if<grammar::Name>(&a.value->node);
-    const bool symbol = name && is_symbol(name->name) && !context.scope->find(name->name);
-    Value value = symbol ? Value{TextValue{name->name}} : evaluate(*a.value, context);
+    Value value = evaluate_argument(a, context);
     if (a.name.empty())
       positional.push_back(std::move(value));
     else

@@ -40,5 +40,7 @@ Value claim_c1(CallContext&, const Arguments&);
 Value claim_c(CallContext&, const Arguments&);
 Value claim_equal(CallContext&, const Arguments&);
 Value claim_circle(CallContext&, const Arguments&);
+/// regular: a claim about the surface of one mesh.
+Value claim_regular(CallContext&, const Arguments&);
 
 }  // namespace udcp

@@ -191,6 +191,13 @@ constexpr CodeEntry table[] = {
      "The standard shapes need sensible sizes, such as three corners for a polygon."},
     {"E_RING_MESH", "G19", "a neighbourhood that cannot be made",
      "Neighbourhoods of a vertex have valence 3 or more, and 1 to 50 rings."},
+    {"E_NOT_QUADS", "G20", "a face that is no quad",
+     "Regularity of Catmull-Clark surfaces speaks of quad meshes. One step of catmull_clark makes quads of all faces."},
+    {"E_NO_PATCH", "G21", "a face that is no regular patch",
+     "Difference vectors and their cones belong to quads whose four vertices are regular: inside with four faces, on the "
+     "boundary "
+     "with two,\n"
+     "or a corner with one."},
 
     // F: files
     {"E_FILE_OPEN", "F01", "a file that cannot be opened", "The file is missing, is a folder, or may not be read or written."},

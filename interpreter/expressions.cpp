@@ -174,11 +174,7 @@ class Evaluator {
 
   std::vector<Value> positional(const std::vector<grammar::Argument>& arguments);
   std::vector<std::pair<std::string, Value>> named(const std::vector<grammar::Argument>& arguments);
-  Value argument(const grammar::Argument& a) {
-    const auto* name = std::get_if<grammar::Name>(&a.value->node);
-    if (name && is_symbol(name->name) && !context_.scope->find(name->name)) return Value{TextValue{name->name}};
-    return evaluate(*a.value, context_);
-  }
+  Value argument(const grammar::Argument& a) { return evaluate_argument(a, context_); }
 
   const Expr& expr_;
   CallContext& context_;
@@ -343,9 +339,18 @@ void warn(const CallContext& context, grammar::Span span, const std::string& mes
   context.output.warning(place_prefix(context, span) + message);
 }
 
+Value evaluate_argument(const grammar::Argument& a, CallContext& context) {
+  static const std::set<std::string> choices = {"mode", "test", "except", "corners"};  // arguments that are one of some names
+  const auto* name = std::get_if<grammar::Name>(&a.value->node);
+  if (name && is_symbol(name->name) && (choices.contains(a.name) || !context.scope->find(name->name)))
+    return Value{TextValue{name->name}};
+  return evaluate(*a.value, context);
+}
+
 bool is_symbol(const std::string& name) {
-  static const std::set<std::string> symbols = {"lat", "lon",      "both", "off",  "x",      "y",
-                                                "z",   "one_face", "all",  "none", "corner", "sharp"};
+  static const std::set<std::string> symbols = {"lat",      "lon",     "both",   "off",    "x",     "y",        "z",
+                                                "one_face", "all",     "none",   "corner", "sharp", "interior", "bspline",
+                                                "boundary", "nothing", "tagged", "T2",     "T3",    "T4"};
   return symbols.contains(name);
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "files/colour_map.h"
 #include "helpers.h"
 
 using namespace udcp;
@@ -63,6 +64,31 @@ TEST_SUITE("files") {
     CHECK(svg({}).find("</svg>") != std::string::npos);
   }
 
+  TEST_CASE("layers can be words and many lines in one path") {
+    Points<double> points(4, 2);
+    points << 0, 0, 1, 0, 0, 1, 1, 1;
+    SvgLayer lines = layer(points);
+    lines.segments = true;
+    lines.opacity = 0.5;
+    SvgLayer word = layer(points.topRows(1));
+    word.text = "u < v";
+    word.text_size = 20;
+    word.anchor = "middle";
+    SvgLayer dots = layer(points);
+    dots.width = 0;
+    dots.markers = true;
+    dots.marker_size = 7;
+    SvgOptions options;
+    options.size = 100;
+    options.margin = 0;
+    const std::string text = svg({lines, word, dots}, options);
+    CHECK(values(text, "d") == std::vector<std::string>{"M0,100L100,100M0,0L100,0"});
+    CHECK(values(text, "opacity") == std::vector<std::string>{"0.5"});
+    CHECK(text.find("<text x=\"0\" y=\"100\" font-family=\"sans-serif\" font-size=\"20\" text-anchor=\"middle\" "
+                    "fill=\"#1f4e79\">u &lt; v</text>") != std::string::npos);
+    CHECK(values(text, "r") == std::vector<std::string>(4, "7"));
+  }
+
   TEST_CASE("a curve is drawn as it is") {
     Polyline<double> square;
     square.points.resize(4, 2);
@@ -98,6 +124,46 @@ TEST_SUITE("files") {
     options.colour_attribute = "h";
     CHECK(values(svg_mesh(coloured, options), "fill") != fills);
     CHECK(refusal([&] { svg_mesh(cube, options); }) == "E_ATTRIBUTE: the surface has no attribute 'h' to show as colour");
+  }
+
+  TEST_CASE("where zero matters what is not positive is red and drawn last") {
+    // Two unit squares over each other in one plane, the first with one negative corner.
+    Surface<double> surface;
+    surface.mesh = std::make_shared<const Mesh>(make_mesh(8, {{0, 1, 2, 3}, {4, 5, 6, 7}}));
+    surface.points.resize(8, 3);
+    surface.points << 0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0;
+    surface.attributes["j"] = {-1, 4, 4, 4, 4, 4, 4, 4};
+    SvgMeshOptions options;
+    options.view = {0, 0, 1};
+    options.colour_attribute = "j";
+    const auto plain = values(svg_mesh(surface, options), "fill");
+    options.zero_matters = true;
+    const auto marked = values(svg_mesh(surface, options), "fill");
+    REQUIRE(marked.size() == 2);
+    CHECK(marked[0] == plain[1]);  // the greatest value is the end of the map either way
+    const auto channel = [&](std::size_t c) { return std::stoi(marked[1].substr(1 + 2 * c, 2), nullptr, 16); };
+    CHECK(channel(0) > 2 * (channel(1) + channel(2)));
+    options.legend = true;
+    const std::string text = svg_mesh(surface, options);
+    CHECK(text.find(">max 4</text>") != std::string::npos);
+    CHECK(text.find(">min -1</text>") != std::string::npos);
+    CHECK(text.find(">0</text>") != std::string::npos);
+    CHECK(text.find(">j</text>") != std::string::npos);
+  }
+
+  TEST_CASE("scales lead values to colours") {
+    const std::vector<double> values{-2, 1, 4};
+    const ColourScale plain = colour_scale(values, false), marked = colour_scale(values, true);
+    CHECK(plain.at(-2) == colour_map(0));
+    CHECK(plain.at(1) == colour_map(0.5));
+    CHECK(plain.at(4) == colour_map(1));
+    CHECK(marked.at(1) == colour_map(0.25));
+    CHECK(marked.at(4) == colour_map(1));
+    CHECK(marked.at(0) != marked.at(-2));
+    CHECK(marked.at(-2)[0] > 3 * marked.at(-2)[1]);  // red
+    CHECK(colour_scale(std::vector<double>{3, 3}, false).at(3) == colour_map(0.5));
+    CHECK(colour_scale(std::vector<double>{0, 0}, true).at(0) == marked.at(0));
+    CHECK(colour_scale(std::vector<double>{-1e308, 1e308}, false).at(0) == colour_map(0.5));
   }
 
   TEST_CASE("what cannot be drawn is refused") {

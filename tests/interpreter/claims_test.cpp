@@ -5,45 +5,13 @@
 #include <filesystem>
 #include <fstream>
 
-#include "interpreter/report.h"
-#include "interpreter/session.h"
+#include "tests/interpreter/room.h"
 
 namespace {
 
 using namespace udcp;
+using oracle::Room;
 namespace fs = std::filesystem;
-
-/// A session with the prelude in a folder of its own.
-class Room {
- public:
-  Room()
-      : folder_(fs::temp_directory_path() / ("udcp_claims_" + std::to_string(reinterpret_cast<std::uintptr_t>(this)))),
-        session_() {
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-    session_.load_prelude();
-  }
-  ~Room() { fs::remove_all(folder_); }
-  Room(const Room&) = delete;
-  Room& operator=(const Room&) = delete;
-
-  Value run(const std::string& program) { return session_.run(program, "<test>", folder_); }
-  std::string verdict(const std::string& program) { return to_json(run(program))["value"]["verdict"].get<std::string>(); }
-  std::string error(const std::string& program) {
-    try {
-      (void)run(program);
-    } catch (const ProgramError& e) {
-      return e.code;
-    }
-    return "";
-  }
-  Outcome outcome() const { return session_.outcome(); }
-  fs::path file(const std::string& name) const { return folder_ / name; }
-
- private:
-  fs::path folder_;
-  Session session_;
-};
 
 std::string text_of(const fs::path& file) {
   std::ifstream in(file);

@@ -7,7 +7,7 @@ import math
 from fractions import Fraction
 
 from certificate_algebra import CannotCheck, Rejected, entries, fraction, integer, require
-from certificate_patches import Net
+from certificate_patches import Net, cross, dot, minus
 
 MOST_FACES = 100000
 
@@ -127,6 +127,18 @@ def refine(mesh):
     return Mesh(points, faces, mesh.corners)
 
 
+def flattened(points):
+    """Points of a plane but not of a line in coordinates of the plane, x along p, from the first point to the next, and y along q; others as they are.
+    An affine map: refinement commutes with it, and whether the surface is regular does not depend on it."""
+    offsets = [minus(x, points[0]) for x in points]
+    p = next(filter(any, offsets), (0, 0, 0))
+    normal = next(filter(any, (cross(p, x) for x in offsets)), (0, 0, 0))
+    if all(x[2] == 0 for x in points) or not any(normal) or any(dot(normal, x) for x in offsets):
+        return points
+    q = cross(normal, p)
+    return [(dot(x, p), dot(x, q), Fraction(0)) for x in offsets]
+
+
 # What covers the faces ------------------------------------------------------------------------------------------------------------
 
 class Covered:
@@ -139,6 +151,7 @@ class Covered:
         require(self.steps == 0 or self.mode == "bspline" or mesh.is_closed(), "mode interior has no rule for boundaries")
         if len(mesh.vertex) * 4 ** max(self.steps - 1, 0) > MOST_FACES:
             raise CannotCheck("meshes of this size are not checked here")
+        mesh.points = flattened(mesh.points)
         for _ in range(self.steps):
             mesh = refine(mesh)
         self.mesh = mesh

@@ -1,6 +1,8 @@
 // Messages about arguments are made here and nowhere else.
 #include "interpreter/arguments.h"
 
+#include <algorithm>
+
 #include "interpreter/formula.h"
 
 namespace udcp {
@@ -42,6 +44,21 @@ int need_whole(const Arguments& a, std::size_t position, std::string_view name, 
 
 int whole_or(const Arguments& a, std::size_t position, std::string_view name, int otherwise, int least, int most) {
   return a.get(position, name) ? need_whole(a, position, name, least, most) : otherwise;
+}
+
+std::string choice_or(const Arguments& a, std::string_view name, std::initializer_list<std::string_view> names) {
+  return choice_or(a, a.positional.size(), name, names);
+}
+
+std::string choice_or(const Arguments& a, std::size_t position, std::string_view name,
+                      std::initializer_list<std::string_view> names) {
+  if (!a.get(position, name)) return std::string(*names.begin());
+  const std::string given = need_text(a, position, name);
+  if (std::find(names.begin(), names.end(), given) != names.end()) return given;
+  std::string list;
+  for (const std::string_view n : names) list += (list.empty() ? "" : n == *(names.end() - 1) ? " or " : ", ") + std::string(n);
+  throw Error(ErrorKind::word, "E_TYPE",
+              "the argument '" + std::string(name) + "' must be " + list + ", but it is '" + given + "'");
 }
 
 bool flag_or(const Arguments& a, std::size_t position, std::string_view name, bool otherwise) {

@@ -15,6 +15,10 @@ NumberValue need_number(const Arguments&, std::size_t position, std::string_view
 std::string need_text(const Arguments&, std::size_t position, std::string_view name);
 int need_whole(const Arguments&, std::size_t position, std::string_view name, int least, int most);
 int whole_or(const Arguments&, std::size_t position, std::string_view name, int otherwise, int least, int most);
+/// One of the names, the first one if the argument is left away. Error{word, "E_TYPE"} listing them otherwise.
+std::string choice_or(const Arguments&, std::size_t position, std::string_view name,
+                      std::initializer_list<std::string_view> names);
+std::string choice_or(const Arguments&, std::string_view name, std::initializer_list<std::string_view> names);  // only by name
 bool flag_or(const Arguments&, std::size_t position, std::string_view name, bool otherwise);
 
 /// The number in S: exact kinds stay exact; Error{not_exact} for what S cannot hold.

@@ -6,19 +6,15 @@
 #include "interpreter/regularity_pictures.h"
 #include "interpreter/report.h"
 #include "proofs/regularity/adaptive.h"
+#include "proofs/regularity/covered_surface.h"
 
 namespace udcp {
 namespace {
 
 RegularityMode mode_of(const Arguments& a, std::size_t position) {
-  if (!a.get(position, "mode")) return RegularityMode::bspline;
-  const std::string name = need_text(a, position, "mode");
-  if (name == "bspline") return RegularityMode::bspline;
-  if (name == "interior") return RegularityMode::interior;
-  throw Error(ErrorKind::word, "E_TYPE", "the argument 'mode' must be interior or bspline, but it is '" + name + "'");
+  return choice_or(a, position, "mode", {"bspline", "interior"}) == "bspline" ? RegularityMode::bspline
+                                                                              : RegularityMode::interior;
 }
-
-std::string mode_text(RegularityMode mode) { return mode == RegularityMode::bspline ? "bspline" : "interior"; }
 
 Surface<Rational> exact_mesh(const Arguments& a) { return with_one_face_corners(as_rational(need_mesh(a, 0))); }
 
@@ -46,10 +42,9 @@ Value value_of(const Vector3& w, std::size_t columns) {
 class PatchReport {
  public:
   PatchReport(const QuadMesh& mesh, int face, RegularityMode mode) : mesh_(mesh), columns_(mesh.is_planar() ? 2 : 3) {
-    const std::optional<Rational> scale = scale_of(mesh);
-    shrink_ = scale ? Rational(1) / *scale : Rational(1);
+    shrink_ = Rational(1) / mesh.scale();
     net_ = mesh.net(face);
-    report_.json = Json{{"kind", "differences"}, {"face", face}, {"mode", mode_text(mode)}, {"planar", mesh.is_planar()}};
+    report_.json = Json{{"kind", "differences"}, {"face", face}, {"mode", to_string(mode)}, {"planar", mesh.is_planar()}};
     report_.text = "face " + std::to_string(face) + " of " + std::to_string(mesh.mesh().faces()) + ", " +
                    (mesh.is_planar() ? "planar" : "in space");
     add_flags();
@@ -63,14 +58,6 @@ class PatchReport {
   ReportValue take() { return std::move(report_); }
 
  private:
-  static std::optional<Rational> scale_of(const QuadMesh& mesh) {
-    const Points<Rational>& points = mesh.surface().points;
-    for (Eigen::Index v = 0; v < points.rows(); ++v)
-      for (Eigen::Index c = 0; c < points.cols(); ++c)
-        if (!points(v, c).is_zero()) return mesh.point(static_cast<int>(v))[static_cast<std::size_t>(c)] / points(v, c);
-    return std::nullopt;
-  }
-
   void add_flags() {
     static constexpr std::array names = {"bottom", "right", "top", "left"};
     std::string sides;
@@ -191,7 +178,8 @@ Json sector_json(const Sector& sector, bool pointed, bool planar) {
   return json;
 }
 
-Json level_json(const ConeLevel& level, int number) {
+/// `of_parts`: of a face. Then "holds" is about each part, and the cones are those of all parts together.
+Json level_json(const ConeLevel& level, int number, bool of_parts) {
   const bool planar = level.mesh.is_planar();
   const auto optional = [](const auto& x) { return x ? Json(*x) : Json(nullptr); };
   Json json{{"level", number},
@@ -200,7 +188,9 @@ Json level_json(const ConeLevel& level, int number) {
             {"excluded", level.excluded},
             {"tested", level.parts},
             {"passed", level.passed},
+            {"holds", level.holds()},
             {"shown", level.shown},
+            {"together", of_parts && level.parts > 1},
             {"separated", level.test.separated()},
             {"zero_difference", level.test.has_zero},
             {"u_apart_from_v", optional(level.test.apart)},
@@ -233,9 +223,10 @@ std::string level_text(const ConeLevel& level, const ConeStudy& study, int numbe
       text += ", T1 on " + std::to_string(level.passed) + " of " + std::to_string(level.parts) + " components; component " +
               std::to_string(level.shown);
   } else {
+    const bool of_face = study.subject == ConeStudy::Subject::face;
     text += ", T2 on " + std::to_string(level.passed) + " of " + std::to_string(level.parts) +
-            (study.subject == ConeStudy::Subject::face ? " parts of face " : " patches; worst: face ") +
-            std::to_string(level.shown);
+            (of_face ? " parts of face " : " patches; worst: face ") + std::to_string(level.shown);
+    if (of_face && level.parts > 1) text += "; together";
   }
   text += ": " + sector_text("u", level.u, level.test.pointed_u, planar) + ", " +
           sector_text("v", level.v, level.test.pointed_v, planar);
@@ -251,18 +242,20 @@ Value show_cones(CallContext& context, const Arguments& a) {
   static constexpr std::array subjects = {"mesh", "worst patch", "face"};
   ReportValue report;
   report.json = Json{{"kind", "cones"},
-                     {"mode", mode_text(study->mode)},
+                     {"mode", to_string(study->mode)},
                      {"planar", study->levels[0].mesh.is_planar()},
+                     {"refined", study->is_refined},
                      {"of", subjects[static_cast<std::size_t>(study->subject)]},
                      {"levels", Json::array()}};
   if (study->subject == ConeStudy::Subject::worst_patch)
     report.text =
         "no global frame: around extraordinary vertices u and v cannot be told apart, so this is about single patches\n";
+  if (!study->is_refined) report.text += "mode interior has no boundary rule, so the open mesh is not refined: level 0 only\n";
   for (std::size_t k = 0; k < study->levels.size(); ++k) {
     const ConeLevel& level = study->levels[k];
     report.text += level_text(level, *study, static_cast<int>(k)) + "\n";
-    report.json["levels"].push_back(level_json(level, static_cast<int>(k)));
-    report.parts.push_back(Value{Boolean{level.parts > 0 && level.parts == level.passed}});
+    report.json["levels"].push_back(level_json(level, static_cast<int>(k), study->subject == ConeStudy::Subject::face));
+    report.parts.push_back(Value{Boolean{level.holds()}});
   }
   report.text += "(what holds or fails is exact; degrees are rounded. It speaks of regular patches: " +
                  std::to_string(study->levels[0].patches) + " of " + std::to_string(study->levels[0].mesh.mesh().faces()) +
@@ -293,14 +286,16 @@ std::vector<Builtin> builtins_regularity() {
        show_differences},
       {"cones",
        "cones(mesh, mode = bspline, steps = 2, face = ...)",
-       "The sectors of the u- and v-differences before and after Catmull-Clark steps; plot draws them.",
+       "The sectors of the u- and v-differences before and after Catmull-Clark steps, which mode interior has for closed meshes "
+       "only; plot draws them.",
        1,
        4,
        {"mode", "steps", "face"},
        show_cones},
       {"jacobian",
        "jacobian(mesh, steps = 3)",
-       "The Catmull-Clark limit mesh coloured by |S_u x S_v|, signed in the plane; floating point.",
+       "The Catmull-Clark limit mesh coloured by |S_u x S_v|, signed in the plane; extraordinary vertices have the average of "
+       "their neighbours; floating point.",
        1,
        2,
        {"steps"},

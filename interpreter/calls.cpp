@@ -195,7 +195,7 @@ Value call_step(Value input, const grammar::Expr& step, const grammar::Call& c, 
   positional.push_back(std::move(input));
   Named named;
   for (const grammar::Argument& a : c.arguments) {
-    Value value = evaluate_argument(a, context);
+    Value value = evaluate_argument(a, context, builtin);
     if (a.name.empty())
       positional.push_back(std::move(value));
     else

@@ -185,6 +185,23 @@ void save_certificate(const grammar::Claim& c, const Result& result, CallContext
   write_file(context.folder / interpolate(*c.certificate, context), result.certificate->dump(1) + "\n");
 }
 
+/// Lists of more than 20 entries end in dots: for people.
+Json shortened(const Json& json) {
+  if (!json.is_structured()) return json;
+  Json result = json.is_array() ? Json::array() : Json::object();
+  for (const auto& [key, value] : json.items()) {
+    if (json.is_object()) {
+      result[key] = shortened(value);
+    } else if (result.size() == 20) {
+      result.push_back("and " + std::to_string(json.size() - 20) + " more");
+      break;
+    } else {
+      result.push_back(shortened(value));
+    }
+  }
+  return result;
+}
+
 std::string headline(const Result& result) {
   const std::string verdict = result.evidence
                                   ? std::string("evidence ") + (result.verdict == Verdict::refuted ? "against" : "for")
@@ -204,7 +221,7 @@ Value claim_value(Result result, const std::string& domain) {
   ReportValue report;
   report.text =
       headline(result) + (domain.empty() ? "" : "\n  for " + domain) + (result.reason.empty() ? "" : "\n  " + result.reason);
-  if (!result.witness.is_null()) report.text += "\n  witness: " + result.witness.dump();
+  if (!result.witness.is_null()) report.text += "\n  witness: " + shortened(result.witness).dump();
   report.json = Json{{"kind", "claim"},
                      {"claim", result.claim},
                      {"domain", domain},
@@ -253,8 +270,9 @@ Value decide_claim(const grammar::Claim& c, CallContext& context) {
 
 Value verify_file(const std::string& path, CallContext& context) {
   const std::string text = read_file(context.folder / path);
-  const Json certificate = Json::parse(text, nullptr, false);
-  const Verification outcome = certificate.is_discarded() ? Verification{false, "", "the file is not JSON"} : verify(certificate);
+  const std::optional<Json> certificate = parse_certificate(text);
+  const Verification outcome = certificate ? verify(*certificate, context.stop.get())
+                                           : Verification{false, "", "the file is not JSON, or has an entry twice"};
   ReportValue report;
   report.text = outcome.accepted ? "accepted: " + outcome.statement : "rejected: " + outcome.reason;
   report.json = Json{{"kind", "verification"},

@@ -34,6 +34,9 @@ Word with_parameters(Word word, const ClaimDomain& domain);
 /// "name in set" as a range; a range a .. b is closed. Throws Located E_DOMAIN.
 ParameterRange range_of(const std::string& name, const grammar::Expr& set, CallContext& context);
 
+/// Why a claim about meshes is not decided for this word; empty if nothing speaks against it.
+std::string not_on_meshes(const Word& word);
+
 /// converges, c1, c, equal, ...: a claim about words, from the arguments of its call, over context.domain or the argument N.
 Value claim_converges(CallContext&, const Arguments&);
 Value claim_c1(CallContext&, const Arguments&);

@@ -8,20 +8,9 @@
 namespace udcp {
 namespace {
 
-/// One of the names, or the first if the argument is left away.
-std::string choice(const Arguments& a, std::string_view name, const std::vector<std::string>& names) {
-  if (!a.find(name)) return names.front();
-  const std::string given = need_text(a, a.positional.size(), name);
-  if (std::find(names.begin(), names.end(), given) != names.end()) return given;
-  std::string list;
-  for (const std::string& n : names) list += (list.empty() ? "" : n == names.back() ? " or " : ", ") + n;
-  throw Error(ErrorKind::word, "E_TYPE",
-              "the argument '" + std::string(name) + "' must be " + list + ", but it is '" + given + "'");
-}
-
 /// Whether the word is Catmull and Clark's, at all vertices and faces that the mesh and its refinements have.
 bool is_catmull_clark(const Word& word, const Mesh& mesh) {
-  if (!word.is_scheme() || !word.head.empty() || word.rings != Rings::off || !is_static(word)) return false;
+  if (!word.is_scheme() || !not_on_meshes(word).empty() || !is_static(word)) return false;
   std::set<int> valences = {4};
   for (int v = 0; v < mesh.vertices(); ++v)
     if (mesh.valence(v) >= 3) valences.insert(mesh.valence(v));
@@ -34,16 +23,18 @@ bool is_catmull_clark(const Word& word, const Mesh& mesh) {
 
 Value claim_regular(CallContext& context, const Arguments& a) {
   const MeshValue& mesh = need_mesh(a, 0);
+  if (context.domain && !context.domain->valences.empty())
+    throw Error(ErrorKind::word, "E_DOMAIN", "regular(mesh) has no valence N to run over", "leave 'for N in' away");
   RegularityOptions options;
-  options.mode = choice(a, "mode", {"bspline", "interior"}) == "bspline" ? RegularityMode::bspline : RegularityMode::interior;
-  options.test = *regularity_test_from(choice(a, "test", {"T2", "T3", "T4"}));
+  options.mode = choice_or(a, "mode", {"bspline", "interior"}) == "bspline" ? RegularityMode::bspline : RegularityMode::interior;
+  options.test = *regularity_test_from(choice_or(a, "test", {"T2", "T3", "T4"}));
   options.depth = whole_or(a, a.positional.size(), "depth", options.depth, 0, 30);
-  options.except_boundary = choice(a, "except", {"nothing", "boundary"}) == "boundary";
+  options.except_boundary = choice_or(a, "except", {"nothing", "boundary"}) == "boundary";
   options.steps = whole_or(a, a.positional.size(), "steps", options.steps, 0, 6);
   options.limits.stop = context.stop.get();
   options.progress = context.output.progress;
   Surface<Rational> surface = as_rational(mesh);
-  if (choice(a, "corners", {"one_face", "tagged"}) == "one_face") surface = with_one_face_corners(std::move(surface));
+  if (choice_or(a, "corners", {"one_face", "tagged"}) == "one_face") surface = with_one_face_corners(std::move(surface));
   if (a.get(1, "word") && !is_catmull_clark(need_word(a, 1).word, *surface.mesh))
     return claim_value(undecided("the limit surface is regular", "regularity is decided for catmull_clark only"));
   if (context.domain && context.domain->evidence_only)

@@ -60,17 +60,6 @@ Word with_parameters(Word word, const ClaimDomain& domain) {
   return word;
 }
 
-namespace {
-
-Word scheme_of(const CallContext& context, const Arguments& a, std::size_t position) {
-  const WordValue& value = need_word(a, position);
-  if (!value.word.is_scheme() || value.rounds)
-    throw Error(ErrorKind::word, "E_NOT_A_SCHEME", "a claim about limits needs a word that repeats for ever, but this one ends",
-                "write (UCP)*");
-  return with_parameters(value.word, domain_of(context));
-}
-
-/// Why a claim about meshes is not decided for this word; empty if nothing speaks against it.
 std::string not_on_meshes(const Word& word) {
   if (!word.head.empty()) return "claims about meshes speak of the repeated part of a word; leave the prefix away";
   if (word.rings != Rings::off) return "rings are not covered: claims about meshes speak of untagged edges";
@@ -80,6 +69,16 @@ std::string not_on_meshes(const Word& word) {
       return "parameters by direction are not covered: claims about meshes speak of untagged edges";
   }
   return directed(word.alpha0) ? "alpha0 by direction is not covered: claims about meshes speak of untagged edges" : "";
+}
+
+namespace {
+
+Word scheme_of(const CallContext& context, const Arguments& a, std::size_t position) {
+  const WordValue& value = need_word(a, position);
+  if (!value.word.is_scheme() || value.rounds)
+    throw Error(ErrorKind::word, "E_NOT_A_SCHEME", "a claim about limits needs a word that repeats for ever, but this one ends",
+                "write (UCP)*");
+  return with_parameters(value.word, domain_of(context));
 }
 
 std::string smoothness_text(int k) { return k == 0 ? "the scheme converges" : "the limits are C^" + std::to_string(k); }

@@ -1,5 +1,5 @@
 // The report on the difference schemes of Catmull-Clark surfaces and on what the paper about them prints: tables for people, JSON
-// for programs. The numbers come from proofs/difference_schemes.h and printed_differences.h.
+// for programs. The numbers come from proofs/regularity/difference_schemes.h and printed_differences.h.
 #include <algorithm>
 
 #include "interpreter/analysis.h"

@@ -172,9 +172,12 @@ class Evaluator {
     throw wrong_type("a condition", "yes or no, such as n == 4", value);
   }
 
+  [[nodiscard]] bool is_own_function(const std::string& name) const {
+    const Value* found = context_.scope->find(name);
+    return found && found->as<FunctionValue>();
+  }
   std::vector<Value> positional(const std::vector<grammar::Argument>& arguments);
-  std::vector<std::pair<std::string, Value>> named(const std::vector<grammar::Argument>& arguments);
-  Value argument(const grammar::Argument& a) { return evaluate_argument(a, context_); }
+  std::vector<std::pair<std::string, Value>> named(const std::vector<grammar::Argument>& arguments, const std::string& function);
 
   const Expr& expr_;
   CallContext& context_;
@@ -203,30 +206,31 @@ std::vector<Value> Evaluator::positional(const std::vector<grammar::Argument>& a
     if (!a.name.empty()) continue;
     if (seen_named)
       throw Located(Error(ErrorKind::word, "E_ARGUMENTS", "an argument without a name cannot follow one with a name"), a.span);
-    values.push_back(argument(a));
+    values.push_back(evaluate_argument(a, context_, nullptr));
   }
   return values;
 }
 
-std::vector<std::pair<std::string, Value>> Evaluator::named(const std::vector<grammar::Argument>& arguments) {
+std::vector<std::pair<std::string, Value>> Evaluator::named(const std::vector<grammar::Argument>& arguments,
+                                                            const std::string& function) {
+  const Builtin* callee = is_own_function(function) ? nullptr : find_builtin(function);
   std::vector<std::pair<std::string, Value>> values;
   for (const auto& a : arguments) {
     if (a.name.empty()) continue;
     const auto same = [&](const auto& given) { return given.first == a.name; };
     if (std::any_of(values.begin(), values.end(), same))
       throw Located(Error(ErrorKind::word, "E_ARGUMENTS", "the argument '" + a.name + "' is given twice"), a.span);
-    values.emplace_back(a.name, argument(a));
+    values.emplace_back(a.name, evaluate_argument(a, context_, callee));
   }
   return values;
 }
 
 Value Evaluator::operator()(const grammar::Call& c) {
   const Builtin* builtin = find_builtin(c.name);
-  const bool own = context_.scope->find(c.name) && context_.scope->find(c.name)->as<FunctionValue>();
-  if (builtin && builtin->special && !own) return builtin->special(context_, c);
+  if (builtin && builtin->special && !is_own_function(c.name)) return builtin->special(context_, c);
   const PathText in_path(context_, c.name);
   std::vector<Value> values = positional(c.arguments);
-  return call(c.name, std::move(values), named(c.arguments), context_);
+  return call(c.name, std::move(values), named(c.arguments, c.name), context_);
 }
 
 Value Evaluator::operator()(const grammar::Method& m) {
@@ -234,7 +238,7 @@ Value Evaluator::operator()(const grammar::Method& m) {
   values.push_back(evaluate(*m.object, context_));
   const PathText in_path(context_, m.name);
   for (Value& v : positional(m.arguments)) values.push_back(std::move(v));
-  return call(m.name, std::move(values), named(m.arguments), context_);
+  return call(m.name, std::move(values), named(m.arguments, m.name), context_);
 }
 
 /// A number as it goes into a text: "1/4"; into a file name: "0.25", or "1_3" where the decimals do not end.
@@ -339,11 +343,11 @@ void warn(const CallContext& context, grammar::Span span, const std::string& mes
   context.output.warning(place_prefix(context, span) + message);
 }
 
-Value evaluate_argument(const grammar::Argument& a, CallContext& context) {
-  static const std::set<std::string> choices = {"mode", "test", "except", "corners"};  // arguments that are one of some names
+Value evaluate_argument(const grammar::Argument& a, CallContext& context, const Builtin* callee) {
+  static const std::set<std::string> choices = {"mode", "test", "except", "corners"};
   const auto* name = std::get_if<grammar::Name>(&a.value->node);
-  if (name && is_symbol(name->name) && (choices.contains(a.name) || !context.scope->find(name->name)))
-    return Value{TextValue{name->name}};
+  const bool is_choice = callee != nullptr && choices.contains(a.name);
+  if (name && is_symbol(name->name) && (is_choice || !context.scope->find(name->name))) return Value{TextValue{name->name}};
   return evaluate(*a.value, context);
 }
 

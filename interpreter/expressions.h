@@ -13,6 +13,7 @@ namespace udcp {
 using AnimationFrames = std::map<std::filesystem::path, std::vector<Surface<double>>>;
 
 /// What evaluation sees of the running session. Lives for one run().
+struct Builtin;
 struct ClaimDomain;
 
 struct CallContext {
@@ -54,9 +55,9 @@ void check_names(const grammar::Expr&, const CallContext&, const std::vector<std
 std::string place_prefix(const CallContext&, grammar::Span);
 void warn(const CallContext&, grammar::Span, const std::string& message);
 
-/// An argument of a call: a symbol stands for its own name, unless it is bound; where an argument is one of some names (mode =
-/// bspline) even then.
-Value evaluate_argument(const grammar::Argument&, CallContext&);
+/// An argument of a call: a symbol stands for its own name, unless it is bound; where a builtin takes one of some names (mode =
+/// bspline) even then. `callee` is null for functions of programs.
+Value evaluate_argument(const grammar::Argument&, CallContext&, const Builtin* callee);
 /// Names such as lat, both, x, one_face: texts where a builtin takes them.
 bool is_symbol(const std::string& name);
 

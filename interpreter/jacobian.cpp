@@ -38,13 +38,16 @@ QuadMesh exact_mesh(const Surface<double>& surface) {
   return QuadMesh({surface.mesh, std::move(points), surface.tags, {}});
 }
 
-/// What QuadMesh multiplied the coordinates by.
-Rational scale_of(const QuadMesh& mesh) {
-  const Points<Rational>& points = mesh.surface().points;
-  for (Eigen::Index v = 0; v < points.rows(); ++v)
-    for (Eigen::Index c = 0; c < points.cols(); ++c)
-      if (!points(v, c).is_zero()) return mesh.point(static_cast<int>(v))[static_cast<std::size_t>(c)] / points(v, c);
-  return Rational(1);
+/// The length, or in the plane the determinant. A number that is not 0 does not become 0, which would look singular.
+double stretch_of(const Vector3& normal, bool planar) {
+  std::array<double, 3> n{};
+  for (std::size_t c = 0; c < 3; ++c) n[c] = normal[c].to_double();
+  const double value = planar ? n[2] : std::hypot(n[0], n[1], n[2]);
+  if (std::isfinite(value) && (value != 0 || is_zero(normal))) return value;
+  throw Error(ErrorKind::input, "E_NOT_FINITE",
+              std::string("a value of the Jacobian is too ") + (value == 0 ? "small" : "large") +
+                  " for floating point: it grows with the square of the coordinates",
+              "scale the mesh to another size");
 }
 
 /// S_u x S_v at each regular vertex, and which those are. `unit`: what the corner values of a net have to be divided by.
@@ -60,10 +63,7 @@ Stretch stretch_of(const QuadMesh& quads, const Rational& unit, const std::atomi
     if (v % 256 == 0 && stop != nullptr && stop->load()) throw Error(ErrorKind::interrupted, "E_INTERRUPTED", "interrupted");
     const int h = mesh.outgoing[at(v)], face = mesh.face[at(h)], number = h - mesh.face_begin[at(face)];
     const CornerValues values = corner(quads.net(face), number / 2, (number == 1 || number == 2) ? 1 : 0);
-    const Vector3 normal = cross(values.du, values.dv);
-    std::array<double, 3> n{};
-    for (std::size_t c = 0; c < 3; ++c) n[c] = (normal[c] / unit).to_double();
-    result.value[at(v)] = quads.is_planar() ? n[2] : std::hypot(n[0], n[1], n[2]);
+    result.value[at(v)] = stretch_of(Rational(1) / unit * cross(values.du, values.dv), quads.is_planar());
     result.known[at(v)] = 1;
   }
   return result;
@@ -130,8 +130,8 @@ JacobianSurface jacobian_surface(Surface<double> surface, int steps, RunControl 
   const Word& word = schemes::catmull_clark();
   JacobianSurface result{run(word, std::move(surface), steps, control), {}};
   const QuadMesh quads = exact_mesh(result.surface);
-  const Rational scale = scale_of(quads);
-  const Rational unit = Rational(144) * scale * scale / pow(Rational(4), steps);  // a step halves the unit of both parameters
+  const Rational unit =
+      Rational(144) * quads.scale() * quads.scale() / pow(Rational(4), steps);  // a step halves the unit of both parameters
   Stretch stretch = stretch_of(quads, unit, control.stop);
   fill_from_neighbours(quads.mesh(), stretch);
   if (quads.is_planar()) orient_components(quads.mesh(), stretch.value);

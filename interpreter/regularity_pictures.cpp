@@ -32,11 +32,6 @@ std::string typeset(std::string text) {
 /// Right, up and towards the eye.
 using Axes = std::array<Direction, 3>;
 
-Direction cross(const Direction& a, const Direction& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-double dot(const Direction& a, const Direction& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
 /// From above if the mesh is planar; else from the front, or from where the marked faces are seen from outside.
 Axes axes_of(const ConeLevel& level) {
   if (level.mesh.is_planar()) return {Direction{1, 0, 0}, Direction{0, 1, 0}, Direction{0, 0, 1}};
@@ -244,6 +239,41 @@ void draw_map(Scene& scene, const ConeLevel& level, const Box& box, const Family
 
 // ---- rows and legend
 
+/// Lines of up to so many bytes, broken after commas and semicolons.
+std::vector<std::string> broken(const std::string& text, std::size_t most) {
+  std::vector<std::string> lines{""};
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t mark = text.find_first_of(",;", begin), end = mark == std::string::npos ? text.size() : mark + 1;
+    if (!lines.back().empty() && lines.back().size() + end - begin > most) {
+      lines.emplace_back();
+      begin += text[begin] == ' ' ? 1 : 0;
+    }
+    lines.back() += text.substr(begin, end - begin);
+    begin = end;
+  }
+  return lines;
+}
+
+void draw_lines(Scene& scene, const std::vector<std::string>& lines, Pixel place, const std::string& colour,
+                const std::string& anchor, double size) {
+  for (const std::string& line : lines) {
+    scene.text(place, typeset(line), colour, anchor, size);
+    place.y += 16;
+  }
+}
+
+std::string relation_of(const ConeTest& t) {
+  if (t.separated()) return "both cones are pointed, v and -v apart from u";
+  std::string why;
+  const auto add = [&](const std::string& reason) { why += (why.empty() ? "" : ", ") + reason; };
+  if (t.has_zero) add("a difference is zero");
+  if (!t.pointed_u) add("the cone of u is not pointed");
+  if (!t.pointed_v) add("the cone of v is not pointed");
+  if (t.apart == false) add("the cones of u and v meet");
+  if (t.apart_from_opposite == false) add("the cones of u and -v meet");
+  return why;
+}
+
 std::string subject_text(const ConeStudy& study, const ConeLevel& level) {
   if (study.subject == ConeStudy::Subject::face)
     return "face " + std::to_string(study.face) +
@@ -259,7 +289,7 @@ std::array<std::string, 2> measures(const ConeLevel& level) {
   if (level.test.pointed_u) add(lines[0], "u spans " + degrees_text(level.u.width));
   if (level.test.pointed_v) add(lines[0], "v spans " + degrees_text(level.v.width));
   if (level.gap) add(lines[1], gap_text("v", *level.gap));
-  if (level.gap_to_opposite) add(lines[1], typeset(gap_text("-v", *level.gap_to_opposite)));
+  if (level.gap_to_opposite) add(lines[1], gap_text("-v", *level.gap_to_opposite));
   return lines;
 }
 
@@ -269,12 +299,12 @@ void draw_directions(Scene& scene, const ConeLevel& level, double x, double top,
   if (level.mesh.is_planar()) {
     draw_pencil(scene, level, {x, top + 16, panel, panel});
     scene.text({x + panel / 2, top + panel + 28}, lines[0], dark, "middle");
-    scene.text({x + panel / 2, top + panel + 44}, lines[1], dark, "middle");
+    draw_lines(scene, broken(lines[1], 45), {x + panel / 2, top + panel + 44}, dark, "middle", 12);
   } else {
     draw_map(scene, level, {x, top + 16, panel, panel}, style_v);
     draw_map(scene, level, {x + panel, top + 16, panel, panel}, style_minus_v);
     const std::string line = lines[0] + (lines[1].empty() ? "" : "; ") + lines[1];
-    scene.text({x + 2 * panel - 10, top + panel + 44}, line, dark, "end");
+    scene.text({x + 2 * panel - 10, top + panel + 44}, typeset(line), dark, "end");
   }
 }
 
@@ -287,7 +317,8 @@ void draw_row(Scene& scene, const ConeStudy& study, std::size_t number, double t
              "start", 13);
   draw_mesh(scene, level, study.mode, {20, top + 28, rest - 20, panel - 16});
   if (level.parts > 0) draw_directions(scene, level, 20 + rest, top, panel);
-  scene.text({20, top + panel + 44}, typeset(verdict_of(level, study.subject)), level.test.separated() ? good : bad, "start", 13);
+  draw_lines(scene, broken(verdict_of(level, study.subject), level.mesh.is_planar() ? 70 : 56), {20, top + panel + 44},
+             level.holds() ? good : bad, "start", 13);
 }
 
 void draw_legend(Scene& scene, bool planar, bool excluded, double y) {
@@ -326,18 +357,16 @@ std::string degrees_text(double degrees) {
 }
 
 std::string verdict_of(const ConeLevel& level, ConeStudy::Subject subject) {
-  const std::string test = subject == ConeStudy::Subject::mesh ? "T1" : "T2";
-  const ConeTest& t = level.test;
   if (level.parts == 0) return "no regular patch at this level";
-  if (t.separated()) return test + " holds: both cones are pointed, v and -v apart from u";
-  std::string why;
-  const auto add = [&](const std::string& reason) { why += (why.empty() ? "" : ", ") + reason; };
-  if (t.has_zero) add("a difference is zero");
-  if (!t.pointed_u) add("the cone of u is not pointed");
-  if (!t.pointed_v) add("the cone of v is not pointed");
-  if (t.apart == false) add("the cones of u and v meet");
-  if (t.apart_from_opposite == false) add("the cones of u and -v meet");
-  return test + " fails: " + why;
+  const std::string about_cones = relation_of(level.test);
+  if (subject == ConeStudy::Subject::face && level.parts > 1) {
+    // Cones of parts in different places may meet when they are joined, which says nothing against any part.
+    const std::string verdict = level.holds() ? "T2 holds on all " + std::to_string(level.parts) + " parts"
+                                              : "T2 fails on " + std::to_string(level.parts - level.passed) + " of " +
+                                                    std::to_string(level.parts) + " parts";
+    return verdict + "; together: " + about_cones;
+  }
+  return std::string(subject == ConeStudy::Subject::mesh ? "T1" : "T2") + (level.holds() ? " holds: " : " fails: ") + about_cones;
 }
 
 std::string picture_of_cones(const ConeStudy& study) {

@@ -15,7 +15,8 @@ namespace udcp {
 /// the theorem asks; an orthographic view would crowd the dots at the rim, where this is seen.
 std::string picture_of_cones(const ConeStudy& study);
 
-/// "T1 holds: both cones are pointed, v and -v apart from u" and the like, exact.
+/// "T1 holds: both cones are pointed, v and -v apart from u" and the like, exact. Of a face in parts the verdict is about each
+/// part, and the cones are those of all parts together: "T2 holds on all 16 parts; together: the cones of u and v meet".
 std::string verdict_of(const ConeLevel& level, ConeStudy::Subject subject);
 /// "59.6°"
 std::string degrees_text(double degrees);

@@ -3,17 +3,15 @@
 // degrees are floating point, for people. Knows no value of the language and no file format.
 #pragma once
 
-#include <array>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "interpreter/direction.h"
 #include "operators/run.h"
 #include "proofs/regularity/quad_mesh.h"
 
 namespace udcp {
-
-using Direction = std::array<double, 3>;
 
 /// Of length 1; of any non-zero exact vector, however large.
 Direction direction_of(const Vector3& vector);
@@ -42,13 +40,14 @@ struct Sector {
 struct ConeLevel {
   QuadMesh mesh;
   int patches = 0, excluded = 0;  // faces
-  int parts = 1, passed = 0;      // components with T1, or patches with T2
+  int parts = 1, passed = 0;      // components with T1, or patches with T2: what the verdict is about
   int shown = 0;                  // the component, or the patch
-  ConeTest test;                  // of what is shown
+  ConeTest test;                  // of what is shown; of all parts of a face together, which may meet though each part passes
   Sector u, v;
   std::optional<double> gap, gap_to_opposite;  // between cone(U) and cone(V), cone(-V); negative: so much of an overlap
   std::vector<char> family;                    // per edge: 0 not among what is shown, 1 u, 2 v
   std::vector<char> marked;                    // per face: 1 for the patch that is shown
+  [[nodiscard]] bool holds() const { return parts > 0 && passed == parts; }
 };
 
 struct ConeStudy {
@@ -57,6 +56,7 @@ struct ConeStudy {
   enum class Subject { mesh, worst_patch, face } subject = Subject::mesh;
   RegularityMode mode = RegularityMode::bspline;
   int face = -1;
+  bool is_refined = true;         // false: mode interior has no rule to refine an open mesh, so only level 0 is there
   std::vector<ConeLevel> levels;  // 0 to steps
 };
 

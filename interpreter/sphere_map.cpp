@@ -8,16 +8,6 @@
 namespace udcp {
 namespace {
 
-double dot(const Direction& a, const Direction& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-Direction cross(const Direction& a, const Direction& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-Direction unit(Direction d) {
-  const double length = std::sqrt(dot(d, d));
-  for (double& x : d) x /= length;
-  return d;
-}
-
 /// The convex hull of points of the plane, counter-clockwise (Andrew's scan).
 std::vector<std::array<double, 2>> convex_hull(std::vector<std::array<double, 2>> points) {
   std::sort(points.begin(), points.end());

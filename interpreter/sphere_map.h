@@ -3,8 +3,8 @@
 
 #include <vector>
 
+#include "interpreter/direction.h"
 #include "interpreter/picture_scene.h"
-#include "interpreter/sectors.h"
 
 namespace udcp {
 

@@ -22,6 +22,7 @@
 
 namespace udcp {
 
+struct PatchSurface;
 struct Value;
 
 /// The text that spans point into, kept as long as something made from it lives. `internal`: the prelude, which no diagnostic
@@ -88,10 +89,11 @@ struct FunctionValue {
 struct ReportValue {
   std::string text;
   Json json;
-  std::vector<Value> parts;                // what == compares, and what [i] picks
-  std::shared_ptr<const Result> claim{};   // of a claim: its verdict and certificate
-  std::function<std::string()> picture{};  // SVG, for plot and save; empty: no picture
-  std::function<std::string()> latex{};    // a LaTeX document, for save "x.tex"; empty: none
+  std::vector<Value> parts;                       // what == compares, and what [i] picks
+  std::shared_ptr<const Result> claim{};          // of a claim: its verdict and certificate
+  std::function<std::string()> picture{};         // SVG, for plot and save; empty: no picture
+  std::function<std::string()> latex{};           // a LaTeX document, for save "x.tex"; empty: none
+  std::shared_ptr<const PatchSurface> surface{};  // of fill_g2: the patches
 };
 
 struct Nothing {};
@@ -107,7 +109,8 @@ struct Value {
   }
 };
 
-/// "number", "word", "curve", "mesh", "matrix", "list", "text", "boolean", "function", "report", "claim", "nothing".
+/// "number", "word", "curve", "mesh", "matrix", "list", "text", "boolean", "function", "report", "claim", "surface",
+/// "nothing".
 std::string type_name(const Value&);
 
 /// Names bound to values, with an outer scope. A definition makes a new scope on top of the old one, so whatever closed over the

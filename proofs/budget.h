@@ -11,9 +11,13 @@ class Budget {
  public:
   explicit Budget(const SearchLimits& limits) : limits_(limits), nodes_(limits.nodes), start_(std::chrono::steady_clock::now()) {}
 
+  /// Throws Error{interrupted} when told to stop.
+  void check_stop() const {
+    if (limits_.stop != nullptr && limits_.stop->load()) throw Error(ErrorKind::interrupted, "E_INTERRUPTED", "interrupted", "");
+  }
   /// Takes nodes; false once the nodes or the seconds are used up. Throws Error{interrupted} when told to stop.
   bool spend(int nodes = 1) {
-    if (limits_.stop != nullptr && limits_.stop->load()) throw Error(ErrorKind::interrupted, "E_INTERRUPTED", "interrupted", "");
+    check_stop();
     if (nodes_ < nodes) return false;
     nodes_ -= nodes;
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count() < limits_.seconds;

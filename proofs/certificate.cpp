@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <set>
 
 namespace udcp {
 namespace {
@@ -188,6 +189,22 @@ void require_entries(const Json& object, std::initializer_list<const char*> name
   require(object.is_object(), where + " must be an object");
   for (const char* name : names) require(object.contains(name), where + " has no entry \"" + name + "\"");
   require(object.size() == names.size(), where + " has entries that do not belong there");
+}
+
+std::optional<Json> parse_certificate(const std::string& text) {
+  std::vector<std::set<std::string>> names;  // of the objects that are open
+  bool has_twice = false;
+  const Json json = Json::parse(
+      text,
+      [&](int, Json::parse_event_t event, Json& value) {
+        if (event == Json::parse_event_t::object_start) names.emplace_back();
+        if (event == Json::parse_event_t::object_end) names.pop_back();
+        if (event == Json::parse_event_t::key) has_twice = !names.back().insert(value.get<std::string>()).second || has_twice;
+        return true;
+      },
+      false);
+  if (json.is_discarded() || has_twice) return std::nullopt;
+  return json;
 }
 
 }  // namespace udcp

@@ -4,6 +4,7 @@
 
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -28,6 +29,8 @@ void require(bool condition, const std::string& message);
 Json seal(const std::string& kind, const std::string& statement, Json data);
 /// Checks the envelope, in this order of entries, without extra ones, and the digest. Throws Rejected.
 void check_envelope(const Json& certificate);
+/// JSON without a name that stands twice in an object; nothing for other texts.
+std::optional<Json> parse_certificate(const std::string& text);
 std::string digest(const std::string& text);
 
 // Numbers. Rationals are "p/q" strings in lowest terms; algebraic ones either that or {"order": N, "coefficients": [..]} in

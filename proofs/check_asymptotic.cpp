@@ -5,7 +5,7 @@
 
 namespace udcp {
 
-std::string check_asymptotic(const Json& data) {
+std::string check_asymptotic(const Json& data, StopFlag) {
   require_entries(data, {"word", "smoothness", "range", "first", "second", "static"}, "data");
   const Word word = word_with_formulas_from(entry(data, "word"));
   require(!word.triangles && to_json(word, {4}) == data["word"], "the word is not in the form that this program writes");

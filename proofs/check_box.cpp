@@ -85,7 +85,7 @@ std::vector<Points<Rational>> transitions_on(const BoxScheme& scheme, const std:
   return matrices;
 }
 
-std::string check_curve_box(const Json& data) {
+std::string check_curve_box(const Json& data, StopFlag) {
   require_entries(data, {"word", "smoothness", "box", "cells"}, "data");
   const Word word = word_from(entry(data, "word"));
   require(to_json(word, {4}) == data["word"] && !word.triangles, "the word is not in the form that this program writes");

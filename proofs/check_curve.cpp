@@ -142,17 +142,17 @@ std::string regularity(const Mask<S>& mask, const Json& data) {
 
 }  // namespace
 
-std::string check_curve_smoothness(const Json& data) {
+std::string check_curve_smoothness(const Json& data, StopFlag) {
   require_entries(data, {"word", "smoothness", "order", "bound"}, "the data");
   return with_mask(data, [&](const auto& mask) { return smoothness(mask, data); });
 }
 
-std::string check_curve_refutation(const Json& data) {
+std::string check_curve_refutation(const Json& data, StopFlag) {
   require_entries(data, {"word", "smoothness", "reason"}, "the data");
   return with_mask(data, [&](const auto& mask) { return refutation(mask, data); });
 }
 
-std::string check_curve_regularity(const Json& data) {
+std::string check_curve_regularity(const Json& data, StopFlag) {
   require_entries(data, {"word", "upper", "lower"}, "the data");
   return with_mask(data, [&](const auto& mask) { return regularity(mask, data); });
 }

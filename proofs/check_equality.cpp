@@ -4,7 +4,7 @@
 
 namespace udcp {
 
-std::string check_equality(const Json& data) {
+std::string check_equality(const Json& data, StopFlag) {
   require_entries(data, {"first", "second", "rounds", "valences"}, "data");
   const Word first = word_from(entry(data, "first")), second = word_from(entry(data, "second"));
   const Json& rounds = entry(data, "rounds");

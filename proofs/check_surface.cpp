@@ -88,7 +88,7 @@ void check_c1(const Word& word, int valence, const Json& data) {
 
 }  // namespace
 
-std::string check_surface_c1(const Json& data) {
+std::string check_surface_c1(const Json& data, StopFlag) {
   require_entries(data, {"word", "valence", "regular", "eigenpair", "ring"}, "data");
   const Interval::Precision precision(proof_precision);
   const int valence = integer_from(data["valence"], 3, largest_proof_valence, "valence");
@@ -97,7 +97,7 @@ std::string check_surface_c1(const Json& data) {
   return c1_statement(data["word"], valence);
 }
 
-std::string check_surface_spectrum(const Json& data) {
+std::string check_surface_spectrum(const Json& data, StopFlag) {
   const bool multiple = data.is_object() && data.contains("multiple");
   if (multiple)
     require_entries(data, {"word", "valence", "multiple"}, "data");

@@ -5,7 +5,7 @@
 
 namespace udcp {
 
-std::string check_all_of(const Json& data) {
+std::string check_all_of(const Json& data, StopFlag stop) {
   require_entries(data, {"parts"}, "data");
   const Json& parts = entry(data, "parts");
   require(parts.is_array() && parts.size() >= 2 && parts.size() <= 1000, "data.parts must be a list of 2 to 1000 parts");
@@ -15,7 +15,7 @@ std::string check_all_of(const Json& data) {
     bool known = false;
     for (const Checker& checker : checkers()) {
       if (checker.kind == "all-of" || !part["kind"].is_string() || part["kind"] != checker.kind) continue;
-      statement += (statement.empty() ? "" : "; ") + checker.check(part["data"]);
+      statement += (statement.empty() ? "" : "; ") + checker.check(part["data"], stop);
       known = true;
     }
     require(known, "a part has an unknown kind");

@@ -118,7 +118,7 @@ CircleRound circle_round(const Word& word) {
   return round;
 }
 
-std::string check_circle(const Json& data) {
+std::string check_circle(const Json& data, StopFlag) {
   require_entries(data, {"word"}, "data");
   const Word word = word_with_formulas_from(entry(data, "word"));
   require(to_json(word, {4}) == data["word"], "the word is not in the form that this program writes");

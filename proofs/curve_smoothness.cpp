@@ -19,7 +19,7 @@ Result conclude(Verdict verdict, const char* kind, const std::string& claim, con
   try {
     for (const Checker& checker : checkers()) {
       if (checker.kind != kind) continue;
-      const std::string statement = checker.check(data);
+      const std::string statement = checker.check(data, nullptr);
       return concluded(verdict, reason, seal(kind, statement, std::move(data)));
     }
   } catch (const Rejected& complaint) {

@@ -20,19 +20,22 @@ std::string to_string(Verdict verdict) {
   return "undecided";
 }
 
-Verification verify(const Json& certificate) {
+Verification verify(const Json& certificate, const std::atomic<bool>* stop) {
   try {
     check_envelope(certificate);
     const auto kind = certificate["kind"].get<std::string>();
     for (const Checker& checker : checkers()) {
       if (checker.kind != kind) continue;
-      const std::string statement = checker.check(certificate["data"]);
+      const std::string statement = checker.check(certificate["data"], stop);
       require(statement == certificate["statement"], "the data prove another statement: " + statement);
       return {true, statement, ""};
     }
     return {false, "", "this program knows no certificates of the kind \"" + kind.substr(0, 60) + "\""};
   } catch (const std::bad_alloc&) {
     throw;
+  } catch (const Error& error) {
+    if (error.kind == ErrorKind::interrupted) throw;
+    return {false, "", error.what()};
   } catch (const std::exception& error) {
     return {false, "", error.what()};
   }

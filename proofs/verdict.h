@@ -36,8 +36,9 @@ struct Verification {
   std::string statement;  // derived from the data; only if accepted
   std::string reason;     // why not; empty if accepted
 };
-/// Re-checks a certificate of any kind in exact or outward-rounded arithmetic. Never throws for bad certificates.
-[[nodiscard]] Verification verify(const Json& certificate);
+/// Re-checks a certificate of any kind in exact or outward-rounded arithmetic. Never throws for bad certificates;
+/// Error{interrupted} once `stop` is set.
+[[nodiscard]] Verification verify(const Json& certificate, const std::atomic<bool>* stop = nullptr);
 
 /// `proved` (or `refuted`, for kinds that refute), if verify accepts the certificate; `undecided` with its complaint otherwise.
 [[nodiscard]] Result concluded(Verdict verdict, std::string reason, Json certificate);

@@ -39,7 +39,6 @@ class Breadth {
   AdaptiveResult decide() {
     for (int level = 0;; ++level) {
       result_.depth = level;
-      if (options_.progress) options_.progress(level, static_cast<int>(level_.size()));
       if (find_singular_corner()) return std::move(result_);
       result_.out_of_budget = !test_level();
       if (level_.empty()) {
@@ -55,6 +54,7 @@ class Breadth {
   /// A zero ends it; in the plane so does a sign that differs from the first one seen in the group.
   bool find_singular_corner() {
     for (const Live& live : level_) {
+      budget_.check_stop();
       for (int number = 0; number < 4; ++number) {
         const Vector3 normal = corner_normal(live.net, number / 2, number % 2);
         const SingularPoint here = point_of(live, number);
@@ -79,12 +79,17 @@ class Breadth {
     return true;
   }
 
+  void report(double share_of_level) {
+    if (options_.progress && ++reported_ % 256 == 0) options_.progress((result_.depth + share_of_level) / (options_.depth + 1));
+  }
+
   /// Leaves those that failed, and those that the budget did not reach, in level_.
   bool test_level() {
     std::vector<Live> failed;
     bool within_budget = true;
     const int tested = static_cast<int>(level_.size());
     for (Live& live : level_) {
+      report(static_cast<double>(&live - level_.data()) / tested);
       within_budget = within_budget && budget_.spend();
       std::optional<RegularityWitness> witness;
       if (within_budget) witness = find_witness(live.net, options_.test, options_.planar);
@@ -122,6 +127,7 @@ class Breadth {
   std::vector<char> open_;
   std::map<int, std::pair<int, SingularPoint>> signs_;
   AdaptiveResult result_;
+  int reported_ = 0;
 };
 
 }  // namespace

@@ -44,8 +44,8 @@ struct AdaptiveOptions {
   RegularityTest test = RegularityTest::t2;
   int depth = 6;
   bool planar = false;
-  SearchLimits limits{};                                // nodes: nets looked at
-  std::function<void(int level, int nets)> progress{};  // before each level
+  SearchLimits limits{};                         // nodes: nets looked at
+  std::function<void(double share)> progress{};  // of the levels up to `depth`, every few hundred nets
 };
 /// Breadth first over the patches; `groups` has a number per patch (signs are compared inside a group).
 AdaptiveResult decide_patches(const std::vector<BicubicNet>& nets, const std::vector<int>& groups,

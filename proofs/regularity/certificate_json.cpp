@@ -54,7 +54,7 @@ Surface<Rational> surface_from(const Json& json) {
   const int count = static_cast<int>(points.size());
   std::vector<int> begin{0}, list;
   for (const Json& face : faces) {
-    require(face.is_array() && face.size() >= 3 && face.size() <= 1000, "mesh.faces must be lists of 3 to 1000 vertices");
+    require(face.is_array() && face.size() >= 3, "mesh.faces must be lists of at least 3 vertices");
     for (const Json& v : face) list.push_back(integer_from(v, 0, count - 1, "mesh.faces"));
     begin.push_back(static_cast<int>(list.size()));
   }

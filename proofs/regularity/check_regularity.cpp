@@ -27,7 +27,8 @@ void check_cover(const std::vector<std::string>& paths) {
   require(end == Rational(1), "the paths of a patch do not cover it");
 }
 
-void check_patch(const BicubicNet& net, const Json& leaves, bool planar) {
+void check_patch(const BicubicNet& net, const Json& leaves, bool planar, StopFlag stop) {
+  if (stop != nullptr && stop->load()) throw Error(ErrorKind::interrupted, "E_INTERRUPTED", "interrupted");
   require(leaves.is_array() && !leaves.empty() && leaves.size() <= 1'000'000, "a patch must have a list of parts");
   std::vector<std::string> paths;
   for (const Json& json : leaves) {
@@ -40,12 +41,13 @@ void check_patch(const BicubicNet& net, const Json& leaves, bool planar) {
   check_cover(paths);
 }
 
-void check_rings(const CoveredSurface& surface, const Json& list) {
+void check_rings(const CoveredSurface& surface, const Json& list, StopFlag stop) {
   require(list.is_array() && list.size() == surface.rings.size(),
           "rings must have " + std::to_string(surface.rings.size()) + " entries");
   for (std::size_t k = 0; k < list.size(); ++k) {
     require_entries(list[k], {"vertex", "level", "rings"}, "rings");
-    require(list[k]["vertex"] == surface.rings[k], "rings.vertex must be " + std::to_string(surface.rings[k]));
+    require(integer_from(list[k]["vertex"], 0, surface.rings[k], "rings.vertex") == surface.rings[k],
+            "rings.vertex must be " + std::to_string(surface.rings[k]));
     const int level = integer_from(list[k]["level"], 0, largest_ring_level, "rings.level");
     const Json& records = list[k]["rings"];
     require(records.is_array() && static_cast<int>(records.size()) == level, "rings.rings must have a list per level");
@@ -57,7 +59,7 @@ void check_rings(const CoveredSurface& surface, const Json& list) {
       const Json& patches = records[static_cast<std::size_t>(ring - 1)];
       require(patches.is_array() && patches.size() == nets.size(),
               "a ring must have " + std::to_string(nets.size()) + " patches");
-      for (std::size_t p = 0; p < nets.size(); ++p) check_patch(nets[p], patches[p], surface.mesh.is_planar());
+      for (std::size_t p = 0; p < nets.size(); ++p) check_patch(nets[p], patches[p], surface.mesh.is_planar(), stop);
     }
   }
 }
@@ -75,12 +77,26 @@ void check_embedded(const CoveredSurface& surface, const Json& json) {
           "global does not separate the edges of the mesh");
 }
 
+/// Before the mesh is refined: the certificate is long enough to speak of that many faces. At most the faces at boundary vertices
+/// are left out.
+void require_records(const Surface<Rational>& mesh, int steps, const Json& data) {
+  require(data["patches"].is_array() && data["rings"].is_array(), "patches and rings must be lists");
+  const std::int64_t sides = mesh.mesh->half_edges();
+  const std::int64_t faces = steps == 0 ? mesh.mesh->faces() : sides * (std::int64_t{1} << (2 * (steps - 1)));
+  const auto records = static_cast<std::int64_t>(data["patches"].size() + data["rings"].size() * largest_ring_valence);
+  require(faces <= records + (steps == 0 ? faces : sides), "patches and rings are too few for the faces of the mesh");
+}
+
 }  // namespace
 
-std::string check_regular_surface(const Json& data) {
+std::string check_regular_surface(const Json& data, StopFlag stop) {
   require_entries(data, {"mesh", "mode", "steps", "except_uncovered", "patches", "rings", "global"}, "data");
-  const CoveredSurface surface =
-      cover(surface_from(data["mesh"]), mode_from(data["mode"]), integer_from(data["steps"], 0, most_regularity_steps, "steps"));
+  const Surface<Rational> mesh = surface_from(data["mesh"]);
+  const int steps = integer_from(data["steps"], 0, most_regularity_steps, "steps");
+  require_records(mesh, steps, data);
+  RunControl control;
+  control.stop = stop;
+  const CoveredSurface surface = cover(mesh, mode_from(data["mode"]), steps, control);
   require(data["except_uncovered"].is_boolean() && data["except_uncovered"].get<bool>() == !surface.uncovered.empty(),
           "except_uncovered must say whether faces are left out");
   require(leaves_out_boundary_only(surface), "faces around a vertex inside are left out");
@@ -89,15 +105,15 @@ std::string check_regular_surface(const Json& data) {
   require(patches.is_array() && patches.size() == surface.patches.size(),
           "patches must have " + std::to_string(surface.patches.size()) + " entries");
   for (std::size_t k = 0; k < patches.size(); ++k)
-    check_patch(surface.mesh.net(surface.patches[k]), patches[k], surface.mesh.is_planar());
-  check_rings(surface, data["rings"]);
+    check_patch(surface.mesh.net(surface.patches[k]), patches[k], surface.mesh.is_planar(), stop);
+  check_rings(surface, data["rings"], stop);
   const bool embedded = !data["global"].is_null();
   if (embedded) check_embedded(surface, data["global"]);
   return regular_statement(data["mesh"], surface, embedded);
 }
 
-std::string check_irregular_surface(const Json& data) {
-  (void)describe_singularity(data);
+std::string check_irregular_surface(const Json& data, StopFlag stop) {
+  (void)describe_singularity(data, stop);
   return irregular_statement(data["mesh"], mode_from(data["mode"]));
 }
 

@@ -9,8 +9,6 @@
 namespace udcp {
 namespace {
 
-bool is_closed(const Mesh& mesh) { return std::find(mesh.twin.begin(), mesh.twin.end(), -1) == mesh.twin.end(); }
-
 /// All corners of the faces at the vertex, but the vertex itself, are inside and of valence 4.
 bool has_regular_ring(const QuadMesh& quads, int v) {
   const Mesh& mesh = quads.mesh();
@@ -24,7 +22,36 @@ bool has_regular_ring(const QuadMesh& quads, int v) {
   return true;
 }
 
-Surface<Rational> refined(const Surface<Rational>& surface, RegularityMode mode, int steps) {
+Vector3 row(const Points<Rational>& points, Eigen::Index v) { return {points(v, 0), points(v, 1), points(v, 2)}; }
+
+/// Points of a plane in coordinates of the plane, so that the verdict does not depend on where the plane lies: regularity does
+/// not change under affine maps, and refinement commutes with them. Other points stay as they are.
+Surface<Rational> flattened(Surface<Rational> surface) {
+  Points<Rational>& points = surface.points;
+  if (points.cols() != 3) return surface;
+  const Vector3 origin = row(points, 0);
+  Vector3 p{}, normal{};
+  bool is_flat = true, is_level = true;
+  for (Eigen::Index v = 0; v < points.rows() && is_flat; ++v) {
+    const Vector3 x = row(points, v) - origin;
+    is_level = is_level && points(v, 2).is_zero();
+    if (is_zero(p)) p = x;
+    if (is_zero(normal)) normal = cross(p, x);
+    is_flat = dot(normal, x).is_zero();
+  }
+  if (!is_flat || is_level || is_zero(normal)) return surface;
+  const Vector3 q = cross(normal, p);
+  for (Eigen::Index v = 0; v < points.rows(); ++v) {
+    const Vector3 x = row(points, v) - origin;
+    points(v, 0) = dot(x, p);
+    points(v, 1) = dot(x, q);
+    points(v, 2) = Rational(0);
+  }
+  return surface;
+}
+
+Surface<Rational> refined(const Surface<Rational>& surface, RegularityMode mode, int steps, const RunControl& control) {
+  (void)common_denominator(surface.points);  // before the numbers grow
   if (steps == 0) return surface;
   if (mode == RegularityMode::interior && !is_closed(*surface.mesh))
     throw Rejected("mode interior has no boundary rule, so an open mesh cannot be refined in it");
@@ -34,10 +61,9 @@ Surface<Rational> refined(const Surface<Rational>& surface, RegularityMode mode,
                 "the mesh after " + std::to_string(steps) + " steps would have more than " +
                     std::to_string(most_regularity_faces) + " faces",
                 "take a part of the mesh");
-  return run(schemes::catmull_clark(), surface, steps);
+  return run(schemes::catmull_clark(), surface, steps, control);
 }
 
-/// Per vertex whether rings cover its faces.
 void sort_faces(CoveredSurface& s) {
   const Mesh& mesh = s.mesh.mesh();
   std::vector<char> has_rings(static_cast<std::size_t>(mesh.vertices()), 0), blamed(has_rings);
@@ -69,10 +95,13 @@ std::string plural(std::size_t n, const std::string& one, const std::string& man
 
 }  // namespace
 
+bool is_closed(const Mesh& mesh) { return std::find(mesh.twin.begin(), mesh.twin.end(), -1) == mesh.twin.end(); }
+
 std::string to_string(RegularityMode mode) { return mode == RegularityMode::interior ? "interior" : "bspline"; }
 
-CoveredSurface cover(const Surface<Rational>& surface, RegularityMode mode, int steps) {
-  CoveredSurface result{QuadMesh(refined(surface, mode, steps)), mode, steps, {}, {}, {}, {}};
+CoveredSurface cover(const Surface<Rational>& surface, RegularityMode mode, int steps, const RunControl& control) {
+  CoveredSurface result{
+      QuadMesh(refined(flattened(surface), mode, steps, control)), mode, steps, surface.mesh->all_faces_have(4), {}, {}, {}, {}};
   sort_faces(result);
   return result;
 }

@@ -81,6 +81,18 @@ std::optional<Vector3> exact_half_space(std::span<const Vector3> vectors) {
   return n;
 }
 
+/// Each ray once, in another order, the same every time: vectors that follow each other in a mesh are nearly parallel, and
+/// scattered ones show sooner that there is no half space.
+std::vector<Vector3> scattered(std::vector<Vector3> rays) {
+  std::sort(rays.begin(), rays.end());
+  rays.erase(std::unique(rays.begin(), rays.end()), rays.end());
+  constexpr std::size_t prime = 1'000'000'007;  // more than there are edges
+  std::vector<Vector3> result;
+  result.reserve(rays.size());
+  for (std::size_t k = 0; k < rays.size(); ++k) result.push_back(rays[k * prime % rays.size()]);
+  return result;
+}
+
 using Direction = std::array<double, 3>;
 
 double dot(const Direction& a, const Direction& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
@@ -138,7 +150,7 @@ std::optional<Vector3> half_space(std::span<const Vector3> vectors) {
   }
   std::vector<Vector3> reduced(vectors.begin(), vectors.end());
   for (Vector3& w : reduced) w = primitive(w);
-  return exact_half_space(reduced);
+  return exact_half_space(reduced.size() > 64 ? scattered(std::move(reduced)) : reduced);
 }
 
 }  // namespace udcp

@@ -28,16 +28,7 @@ void require_quads(const Mesh& mesh) {
                   "one step of catmull_clark makes quads of all faces");
 }
 
-/// The points times one positive integer that makes all of them integers.
-std::vector<Vector3> integer_points(const Points<Rational>& points) {
-  Rational scale(1);
-  for (Eigen::Index k = 0; k < points.size(); ++k) {
-    const Rational& x = points.data()[k];
-    if (!(scale * x).is_integer()) scale = least_common_multiple(scale, x.denominator());
-    if (scale.bits() > 10'000)
-      throw Error(ErrorKind::limit, "E_TOO_LARGE", "the coordinates have no common denominator of less than 10,000 bits",
-                  "round them to fewer digits");
-  }
+std::vector<Vector3> scaled(const Points<Rational>& points, const Rational& scale) {
   std::vector<Vector3> result(static_cast<std::size_t>(points.rows()));
   for (Eigen::Index v = 0; v < points.rows(); ++v)
     for (Eigen::Index c = 0; c < points.cols(); ++c)
@@ -76,11 +67,24 @@ std::string to_string(VertexClass c) {
   return names[static_cast<std::size_t>(c)];
 }
 
+Rational common_denominator(const Points<Rational>& points) {
+  Rational scale(1);
+  for (Eigen::Index k = 0; k < points.size(); ++k) {
+    const Rational& x = points.data()[k];
+    if (!(scale * x).is_integer()) scale = least_common_multiple(scale, x.denominator());
+    if (scale.bits() > 10'000 || x.bits() > 20'000)
+      throw Error(ErrorKind::limit, "E_TOO_LARGE", "the coordinates have no common denominator of less than 10,000 bits",
+                  "round them to fewer digits");
+  }
+  return scale;
+}
+
 QuadMesh::QuadMesh(const Surface<Rational>& surface) : surface_(surface) {
   validate(surface);
   require_quads(mesh());
   if (surface.points.cols() > 3) throw Error(ErrorKind::input, "E_DIMENSION", "the mesh must have two or three coordinates");
-  points_ = integer_points(surface.points);
+  scale_ = common_denominator(surface.points);
+  points_ = scaled(surface.points, scale_);
   for (const Vector3& p : points_) planar_ = planar_ && p[2].is_zero();
   for (int v = 0; v < mesh().vertices(); ++v) classes_.push_back(class_in(mesh(), surface.tags, v));
 }

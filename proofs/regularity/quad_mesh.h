@@ -37,6 +37,8 @@ class QuadMesh {
   [[nodiscard]] const Surface<Rational>& surface() const { return surface_; }
   [[nodiscard]] const Mesh& mesh() const { return *surface_.mesh; }
   [[nodiscard]] bool is_planar() const { return planar_; }  // every z is 0
+  [[nodiscard]] const Rational& scale() const { return scale_; }
+  /// The point times scale(): integers.
   [[nodiscard]] const Vector3& point(int v) const { return points_[static_cast<std::size_t>(v)]; }
   [[nodiscard]] VertexClass class_of(int v) const { return classes_[static_cast<std::size_t>(v)]; }
   [[nodiscard]] FaceKind kind_of(int face, RegularityMode mode) const;
@@ -47,10 +49,14 @@ class QuadMesh {
 
  private:
   Surface<Rational> surface_;
+  Rational scale_;
   std::vector<Vector3> points_;
   std::vector<VertexClass> classes_;
   bool planar_ = true;
 };
+
+/// The least positive integer that makes all coordinates integers. Error{limit, "E_TOO_LARGE"} above 10,000 bits.
+Rational common_denominator(const Points<Rational>& points);
 
 /// Every boundary vertex with one face becomes a corner, besides those that are already.
 Surface<Rational> with_one_face_corners(Surface<Rational> surface);

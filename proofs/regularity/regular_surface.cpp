@@ -40,16 +40,28 @@ class Prover {
 
   Result prove() {
     describe();
+    decide();
+    result_.details["T1"] = to_string(global().status);
+    return std::move(result_);
+  }
+
+ private:
+  void decide() {
     if (covered_->patches.empty() && covered_->rings.empty()) {
       result_.reason =
           "inapplicable: no face of the mesh is a patch" +
           std::string(options_.mode == RegularityMode::interior ? ", as none has four interior vertices of valence 4" : "");
-      return result_;
+      return;
     }
-    return prove_patches() && prove_rings() ? finished() : result_;
+    if (prove_patches() && prove_rings()) finish();
   }
 
- private:
+  /// T1 is not what decides, but what the paper tests.
+  const GlobalResult& global() {
+    if (!global_) global_ = test_globally(covered_->mesh);
+    return *global_;
+  }
+
   void progress(const std::string& what, double share) const {
     if (options_.progress) options_.progress(what, share);
   }
@@ -57,13 +69,16 @@ class Prover {
   /// Refines until extraordinary vertices are isolated; to the asked level where boundary vertices are not regular.
   void prepare(const Surface<Rational>& surface) {
     const bool quads = surface.mesh->all_faces_have(4);
-    const bool can_refine = options_.mode == RegularityMode::bspline ||
-                            std::find(surface.mesh->twin.begin(), surface.mesh->twin.end(), -1) == surface.mesh->twin.end();
+    const bool can_refine = options_.mode == RegularityMode::bspline || is_closed(*surface.mesh);
+    RunControl control;
+    control.stop = options_.limits.stop;
+    control.progress = [this](double share) { progress("refinement", share); };
     int steps = quads || !can_refine ? 0 : 1;
-    covered_ = cover(surface, options_.mode, steps);
-    while (!is_isolated(*covered_) && can_refine && steps < (quads ? 2 : 3)) covered_ = cover(surface, options_.mode, ++steps);
+    covered_ = cover(surface, options_.mode, steps, control);
+    while (!is_isolated(*covered_) && can_refine && steps < (quads ? 2 : 3))
+      covered_ = cover(surface, options_.mode, ++steps, control);
     if (!covered_->uncovered.empty() && can_refine && steps < options_.steps)
-      covered_ = cover(surface, options_.mode, options_.steps);
+      covered_ = cover(surface, options_.mode, options_.steps, control);
   }
 
   void describe() {
@@ -71,8 +86,6 @@ class Prover {
     result_.details =
         Json{{"mode", to_string(s.mode)},   {"test", to_string(options_.test)},         {"steps", s.steps},
              {"patches", s.patches.size()}, {"extraordinary_vertices", s.rings.size()}, {"uncovered_faces", s.uncovered}};
-    global_ = test_globally(s.mesh);
-    result_.details["T1"] = to_string(global_.status);
   }
 
   AdaptiveOptions adaptive(const std::string& what) const {
@@ -81,10 +94,7 @@ class Prover {
     options.depth = options_.depth;
     options.planar = covered_->mesh.is_planar();
     options.limits = options_.limits;
-    options.progress = [this, what](int level, int nets) {
-      progress(what + ", level " + std::to_string(level) + ": " + std::to_string(nets) + " nets",
-               static_cast<double>(level) / (options_.depth + 1));
-    };
+    options.progress = [this, what](double share) { progress(what, share); };
     return options;
   }
 
@@ -125,14 +135,16 @@ class Prover {
     result_.reason += found.out_of_budget
                           ? "when the search ended at its limits, depth " + std::to_string(found.depth)
                           : "down to depth " + std::to_string(found.depth) +
-                                ": more depth decides, unless the surface touches a singularity without crossing it";
+                                (covered_->mesh.is_planar()
+                                     ? ": more depth decides, unless the surface touches a singularity without crossing it"
+                                     : ": more depth proves a regular surface; a singular one is found at dyadic points only");
     result_.witness = Json{{"open_faces", std::move(faces)}};
   }
 
   void refuted(const Json& ring, Json points) {
     Json data{
         {"mesh", mesh_json_}, {"mode", to_string(options_.mode)}, {"steps", covered_->steps}, {"ring", ring}, {"points", points}};
-    const std::string reason = describe_singularity(data);
+    const std::string reason = describe_singularity(data, options_.limits.stop);
     accept(concluded(Verdict::refuted, reason,
                      seal("irregular-surface", irregular_statement(mesh_json_, options_.mode), std::move(data))));
     result_.witness = Json{{"ring", ring}, {"points", std::move(points)}};
@@ -148,8 +160,6 @@ class Prover {
   bool prove_rings() {
     Json levels = Json::array();
     for (const int v : covered_->rings) {
-      progress("rings at vertex " + std::to_string(v),
-               static_cast<double>(rings_.size()) / static_cast<double>(covered_->rings.size()));
       if (options_.limits.stop != nullptr && options_.limits.stop->load())
         throw Error(ErrorKind::interrupted, "E_INTERRUPTED", "interrupted", "");
       if (!prove_ring(v)) return false;
@@ -163,7 +173,7 @@ class Prover {
     const std::string place = "vertex " + std::to_string(v) + " of level " + std::to_string(covered_->steps);
     try {
       VertexRings rings = VertexRings::around(covered_->mesh.surface(), v);
-      const RingResult found = decide_rings(rings, adaptive("rings at " + place));
+      const RingResult found = decide_rings(rings, adaptive("rings of patches"));
       if (found.status == Status::regular) {
         Json list = Json::array();
         for (const AdaptiveResult& ring : found.rings)
@@ -183,28 +193,27 @@ class Prover {
     return false;
   }
 
-  Result finished() {
+  void finish() {
     const CoveredSurface& s = *covered_;
     if (!s.uncovered.empty() && (!options_.except_boundary || !leaves_out_boundary_only(s))) {
       result_.reason = "all other patches are regular, but nothing covers " + std::to_string(s.uncovered.size()) +
                        " faces of level " + std::to_string(s.steps) + " around vertices that are not regular" + advice();
       result_.witness = Json{{"uncovered_faces", s.uncovered}, {"around_vertices", s.uncovered_around}};
-      return result_;
+      return;
     }
     const bool embedded =
-        s.steps == 0 && s.mode == RegularityMode::bspline && global_.status == GlobalStatus::pass && is_rectangle(s.mesh);
-    Json global = nullptr;
-    if (embedded) global = to_json(global_.components.front());
+        s.steps == 0 && s.mode == RegularityMode::bspline && is_rectangle(s.mesh) && global().status == GlobalStatus::pass;
+    Json separation = nullptr;
+    if (embedded) separation = to_json(global().components.front());
     Json data{{"mesh", mesh_json_},
               {"mode", to_string(s.mode)},
               {"steps", s.steps},
               {"except_uncovered", !s.uncovered.empty()},
               {"patches", std::move(patches_)},
               {"rings", std::move(rings_)},
-              {"global", std::move(global)}};
+              {"global", std::move(separation)}};
     accept(concluded(Verdict::proved, reason_of_proof(),
                      seal("regular-surface", regular_statement(mesh_json_, s, embedded), std::move(data))));
-    return result_;
   }
 
   std::string advice() const {
@@ -235,7 +244,7 @@ class Prover {
   const RegularityOptions& options_;
   Json mesh_json_;
   std::optional<CoveredSurface> covered_;
-  GlobalResult global_;
+  std::optional<GlobalResult> global_;
   Json patches_, rings_ = Json::array();
   Result result_;
 };

@@ -56,7 +56,7 @@ std::vector<int> spokes_of(const Mesh& mesh, const Tags& tags, int v) {
   require(!mesh.on_boundary(v) && !tags.is_corner(v), "the vertex lies on the boundary or is tagged");
   const int n = mesh.valence(v);
   require(n >= 3 && n <= largest_ring_valence,
-          "rings of patches are bounded around vertices of valence 3 to " + std::to_string(largest_ring_valence));
+          "rings of patches have bounds around vertices of valence 3 to " + std::to_string(largest_ring_valence));
   std::vector<int> result;
   int h = mesh.outgoing[Mesh::i(v)];
   for (int s = 0; s < n; ++s) {

@@ -329,7 +329,7 @@ RingConstants compute(int n) {
 std::shared_ptr<const RingConstants> ring_constants(int valence) {
   if (valence < 3 || valence > largest_ring_valence)
     throw Error(ErrorKind::limit, "E_TOO_LARGE",
-                "rings of patches are bounded around vertices of valence 3 to " + std::to_string(largest_ring_valence) +
+                "rings of patches have bounds around vertices of valence 3 to " + std::to_string(largest_ring_valence) +
                     ", not of valence " + std::to_string(valence));
   static std::mutex mutex;
   static std::map<int, std::shared_ptr<const RingConstants>> known;

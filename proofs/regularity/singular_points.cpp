@@ -25,9 +25,13 @@ struct Stage {
   std::function<std::string(int, const Rational&, const Rational&)> name;
 };
 
-std::string place_name(int face, const Rational& u, const Rational& v, int steps) {
-  return "u = " + u.to_string() + ", v = " + v.to_string() + " of face " + std::to_string(face) +
-         (steps > 0 ? " of level " + std::to_string(steps) : "");
+/// Faces of the mesh itself, too, where the refined ones are quarters of them.
+std::string place_name(const CoveredSurface& surface, int face, const Rational& u, const Rational& v) {
+  std::string text = "u = " + u.to_string() + ", v = " + v.to_string() + " of face " + std::to_string(face);
+  if (surface.steps == 0) return text;
+  text += " of level " + std::to_string(surface.steps);
+  const int parts = 1 << (2 * surface.steps);
+  return surface.has_quads ? text + " (in face " + std::to_string(face / parts) + " of the mesh)" : text;
 }
 
 Stage stage_of_patches(const std::shared_ptr<const CoveredSurface>& surface) {
@@ -38,7 +42,7 @@ Stage stage_of_patches(const std::shared_ptr<const CoveredSurface>& surface) {
             return surface->mesh.net(f);
           },
           [groups](int f) { return (*groups)[static_cast<std::size_t>(f)]; },
-          [surface](int f, const Rational& u, const Rational& v) { return place_name(f, u, v, surface->steps); }};
+          [surface](int f, const Rational& u, const Rational& v) { return place_name(*surface, f, u, v); }};
 }
 
 Stage stage_of_ring(const std::shared_ptr<const CoveredSurface>& surface, const Json& ring) {
@@ -52,7 +56,7 @@ Stage stage_of_ring(const std::shared_ptr<const CoveredSurface>& surface, const 
           [nets](int k) { return (*nets)[static_cast<std::size_t>(k)]; }, [](int) { return 0; },
           [surface, spokes = rings.spokes(), number](int k, const Rational& u, const Rational& w) {
             const FacePoint at = face_point(surface->mesh.mesh(), spokes, number, k, u, w);
-            return place_name(at.face, at.u, at.v, surface->steps);
+            return place_name(*surface, at.face, at.u, at.v);
           }};
 }
 
@@ -111,10 +115,13 @@ CornerValues values_at(const BicubicNet& net, Rational u, Rational v) {
   throw Rejected("u and v must be dyadic fractions of at most 60 bits");
 }
 
-std::string describe_singularity(const Json& data) {
+std::string describe_singularity(const Json& data, const std::atomic<bool>* stop) {
   require_entries(data, {"mesh", "mode", "steps", "ring", "points"}, "data");
-  const auto surface = std::make_shared<const CoveredSurface>(
-      cover(surface_from(data["mesh"]), mode_from(data["mode"]), integer_from(data["steps"], 0, most_regularity_steps, "steps")));
+  RunControl control;
+  control.stop = stop;
+  const Surface<Rational> mesh = surface_from(data["mesh"]);
+  const int steps = integer_from(data["steps"], 0, most_regularity_steps, "steps");
+  const auto surface = std::make_shared<const CoveredSurface>(cover(mesh, mode_from(data["mode"]), steps, control));
   const Stage stage = data["ring"].is_null() ? stage_of_patches(surface) : stage_of_ring(surface, data["ring"]);
   const std::vector<Sample> found = places(stage, data["points"]);
   return found.size() == 1 ? describe_zero(found[0]) : describe_sign(stage, found[0], found[1]);

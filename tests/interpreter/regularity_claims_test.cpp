@@ -67,4 +67,21 @@ TEST_CASE("regularity is refused where it means nothing") {
   CHECK(room.verdict("prove regular(grid(1, 1), mode = interior)") == "undecided");
   CHECK(room.verdict("check regular(grid(3, 3))") == "undecided");
   CHECK(room.error("prove regular(icosahedron(exact = yes))") == "E_NOT_EXACT");
+  CHECK(room.error("prove regular(cube()) for N in 3 .. 5") == "E_DOMAIN");
+  CHECK(room.error("prove regular(grid(3, 3), test = T1)") == "E_TYPE");
+}
+
+TEST_CASE("words that are not the one of Catmull and Clark are not proved regular") {
+  Meshes room;
+  const std::string word = "w = (U C[ngon = classic] P)* where omega = 0, delta(N) = (N-4)/N";
+  CHECK(room.verdict(word + "\nprove regular(torus(4, 4, 3, 1), w)") == "proved");
+  for (const std::string extra : {"f@lat = -3", "omega@lat = 1", "f@lon = 2", "rings = lat"})
+    CHECK(room.verdict(word + ", " + extra + "\nprove regular(torus(4, 4, 3, 1), w)") == "undecided");
+}
+
+TEST_CASE("parameters of programs may have the names of choices") {
+  Meshes room;
+  (void)room.run("bspline = 7\nf(test) = test + 1\nassert f(test = 2) == 3\ng(mode) = mode + 1\nassert g(mode = bspline) == 8");
+  CHECK(room.outcome() == Outcome::done);
+  CHECK(room.verdict("prove regular(grid(2, 2), mode = bspline)") == "proved");
 }

@@ -1,11 +1,10 @@
-// Cones, differences and Jacobians: verdicts and numbers against the table of meshes, identities of angles, and pictures as XML.
+// Cones and differences: verdicts and numbers against the table of meshes, identities of angles, and pictures as XML.
 #include <doctest/doctest.h>
 
 #include <cmath>
 #include <fstream>
 
 #include "files/geometry_file.h"
-#include "interpreter/jacobian.h"
 #include "interpreter/regularity_pictures.h"
 #include "tests/interpreter/room.h"
 
@@ -220,6 +219,47 @@ TEST_CASE("the cones of a face narrow with every step") {
   CHECK(std::count(s.levels[2].marked.begin(), s.levels[2].marked.end(), 1) == 16);
 }
 
+TEST_CASE("the verdict on a face is about each of its parts and not about all together") {
+  Room room;
+  // A fan of four faces around a hole: the net of a face turns by 270 degrees, so after two steps u of some part points where v
+  // of another does; the differences of the parts are still separated each.
+  std::ofstream(room.file("fan.obj"))
+      << "v 1 0 0\nv 0 1 0\nv -1 0 0\nv 0 -1 0\nv 2 0 0\nv 0 2 0\nv -2 0 0\nv 0 -2 0\nv 3 0 0\nv 0 3 0\nv -3 0 0\nv 0 -3 0\n"
+         "f 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\nf 5 6 10 9\nf 6 7 11 10\nf 7 8 12 11\nf 8 5 9 12\n";
+  room.run("cones(load(\"fan.obj\"), face = 0) |> plot \"fan.svg\"");
+  const Json value = to_json(room.run("cones(load(\"fan.obj\"), face = 0)"))["value"];
+  const Json& level = value["levels"][2];
+  CHECK(level["tested"] == 16);
+  CHECK(level["passed"] == 16);
+  CHECK(level["holds"] == true);
+  CHECK(level["together"] == true);
+  CHECK(level["separated"] == false);
+  CHECK(level["u_apart_from_v"] == false);
+  const ConeStudy s = study(with_one_face_corners(load<Rational>(room.file("fan.obj"))), 2, 0);
+  CHECK(verdict_of(s.levels[2], s.subject) ==
+        "T2 holds on all 16 parts; together: the cones of u and v meet, the cones of u and -v meet");
+  CHECK_FALSE(s.levels[0].holds());
+  CHECK(verdict_of(s.levels[0], s.subject).rfind("T2 fails: ", 0) == 0);
+  CHECK(text_of(room.file("fan.svg")).find("T2 holds on all 16 parts") != std::string::npos);
+  CHECK(room.run("cones(load(\"fan.obj\"), face = 0)[2]").as<Boolean>()->value);
+}
+
+TEST_CASE("mode interior does not refine open meshes") {
+  Room room;
+  const Json open = to_json(room.run("cones(" + loaded("ring5") + ", mode = interior, steps = 2)"))["value"];
+  CHECK(open["refined"] == false);
+  CHECK(open["levels"].size() == 1);
+  CHECK(room.run("cones(" + loaded("ring5") + ", interior)").as<ReportValue>()->text.find("has no boundary rule") !=
+        std::string::npos);
+  const Json closed = to_json(room.run("cones(" + loaded("torus3d") + ", mode = interior, steps = 1)"))["value"];
+  CHECK(closed["refined"] == true);
+  CHECK(closed["levels"].size() == 2);
+  // The patches of mode interior are patches of mode bspline with the same nets: nothing about them is lost.
+  const Json there = to_json(room.run("cones(grid(3, 3), steps = 0, face = 4)"))["value"]["levels"][0];
+  CHECK(to_json(room.run("cones(grid(3, 3), mode = interior, face = 4)"))["value"]["levels"][0]["u"] == there["u"]);
+  CHECK(room.error("cones(grid(2, 2), mode = interior, face = 0)") == "E_NO_PATCH");
+}
+
 TEST_CASE("components are compared one by one") {
   Room room;
   // Two grids, the second turned by a quarter: u of one is v of the other, so all edges together would not be separated.
@@ -291,61 +331,6 @@ TEST_CASE("pictures in space and of single patches are well formed") {
   CHECK(text_of(room.file("cube.svg")).find("no regular patch at this level") != std::string::npos);
   room.run("differences(grid(3, 3), 4) |> plot \"patch.svg\"");
   CHECK(text_of(room.file("patch.svg")).find("T2 holds") != std::string::npos);
-}
-
-TEST_CASE("the Jacobian at regular vertices is the expected one at every level") {
-  for (const auto& entry : expected()["patches"].items()) {
-    const std::string name = entry.key();
-    const Json& patches = entry.value();
-    const Surface<double> surface = load<double>(path_of(name));
-    for (const int steps : {0, 2}) {
-      const auto values = jacobian_surface(surface, steps, {}).surface.attributes.at("jacobian");
-      for (const Json& patch : patches) {
-        for (const Json& corner : patch["corners"]) {
-          static constexpr std::array<std::array<int, 2>, 2> place = {{{0, 1}, {3, 2}}};
-          const int k = place[corner["v"].get<std::size_t>()][corner["u"].get<std::size_t>()];
-          const int v = patch["corner_vertices"][static_cast<std::size_t>(k)].get<int>() - 1;
-          double wanted = 0;
-          if (corner["cross"].is_array()) {
-            for (const Json& x : corner["cross"]) wanted += std::pow(number(x).to_double(), 2);
-            wanted = std::sqrt(wanted);
-          } else {
-            wanted = number(corner["cross"]).to_double();
-          }
-          CAPTURE(name);
-          CAPTURE(v);
-          CHECK(values[static_cast<std::size_t>(v)] == doctest::Approx(wanted).epsilon(1e-10));
-        }
-      }
-    }
-  }
-}
-
-TEST_CASE("the Jacobian tells folds from clockwise faces") {
-  const auto least = [](const Surface<double>& surface, int steps) {
-    const auto values = jacobian_surface(surface, steps, {}).surface.attributes.at("jacobian");
-    return *std::min_element(values.begin(), values.end());
-  };
-  CHECK(least(load<double>(path_of("grid_folded")), 2) < -0.1);
-  CHECK(least(load<double>(path_of("butterfly_like")), 2) > 0.1);
-  Surface<double> mirrored = load<double>(path_of("butterfly_like"));
-  mirrored.points.col(0) *= -1;
-  CHECK(least(mirrored, 2) == doctest::Approx(least(load<double>(path_of("butterfly_like")), 2)));
-  CHECK(least(load<double>(path_of("cusp3d_dyadic")), 2) == 0);  // at u = 1/4, a vertex of level 2
-  CHECK(least(load<double>(path_of("cusp3d_dyadic")), 1) > 0);
-}
-
-TEST_CASE("a Jacobian shows its colours unless told otherwise") {
-  Room room;
-  room.run("j = jacobian(grid(2, 2), steps = 1)\nj |> plot \"j.svg\"\nj |> save \"j.glb\"\nj |> save \"j.ply\"");
-  const std::string svg = text_of(room.file("j.svg"));
-  CHECK_FALSE(elements(svg).empty());
-  CHECK(svg.find(">jacobian</text>") != std::string::npos);
-  CHECK(svg.find(">max 1</text>") != std::string::npos);
-  CHECK(text_of(room.file("j.glb")).find("COLOR_0") != std::string::npos);
-  room.run("grid(2, 2) |> save \"plain.glb\"");
-  CHECK(text_of(room.file("plain.glb")).find("COLOR_0") == std::string::npos);
-  CHECK(load<double>(room.file("j.ply")).attributes.contains("jacobian"));
 }
 
 TEST_CASE("cones differences and Jacobians refuse what they are not about") {

@@ -194,7 +194,7 @@ TEST_CASE("meshes without a patch are inapplicable and wrong options are refused
 TEST_CASE("verdicts do not depend on frames order orientation or motions") {
   const Rational c = Rational(3) / Rational(5), s = Rational(4) / Rational(5);
   for (const std::string name :
-       {"ring5", "ce_opposite", "touch_dyadic", "star3", "torus3d_coarse", "cusp3d_dyadic", "zero_stencil"}) {
+       {"ring5", "grid_folded", "ce_opposite", "touch_dyadic", "star3", "torus3d_coarse", "cusp3d_dyadic", "zero_stencil"}) {
     CAPTURE(name);
     const Surface<Rational> surface = regularity_mesh(name);
     const Result before = decide(surface);
@@ -214,6 +214,13 @@ TEST_CASE("verdicts do not depend on frames order orientation or motions") {
       if (moved.points.cols() == 3) moved.points(v, 2) = Rational(7) / Rational(3) * surface.points(v, 2);
     }
     images.emplace_back("motion", moved);
+    Surface<Rational> tilted = surface;  // about the x axis, and away from the origin
+    for (Eigen::Index v = 0; v < tilted.points.rows(); ++v) {
+      const Rational y = surface.points(v, 1), z = surface.points(v, 2);
+      tilted.points(v, 1) = c * y - s * z;
+      tilted.points(v, 2) = s * y + c * z + Rational(1);
+    }
+    images.emplace_back("tilt", tilted);
     for (const auto& [what, image] : images) {
       CAPTURE(what);
       const Result after = decide(image);
@@ -262,4 +269,51 @@ TEST_CASE("a changed certificate with a fitting digest proves nothing false") {
     }
   }
   CHECK(accepted < 60);
+}
+
+TEST_CASE("faces of many corners and long failing searches end quickly") {
+  Surface<Rational> drum;  // a 1200-gon over a ring of quads
+  constexpr int n = 1200;
+  drum.points.resize(2 * n, 3);
+  std::vector<std::vector<int>> faces(1);
+  for (int k = 0; k < n; ++k) {
+    for (int layer = 0; layer < 2; ++layer) {
+      drum.points(2 * k + layer, 0) = Rational(k < n / 2 ? k : n - k);
+      drum.points(2 * k + layer, 1) = Rational((k * k) % 1009);
+      drum.points(2 * k + layer, 2) = Rational(layer);
+    }
+    faces[0].push_back(2 * k);
+    faces.push_back({2 * k, 2 * k + 1, 2 * ((k + 1) % n) + 1, 2 * ((k + 1) % n)});
+  }
+  const Result result = decide(with_faces(drum, faces));
+  CHECK(result.verdict != Verdict::proved);
+}
+
+TEST_CASE("a search reports its progress and can be stopped") {
+  const Surface<Rational> surface = refined(regularity_mesh("torus3d"), 1);
+  RegularityOptions options;
+  int reports = 0;
+  options.progress = [&](const std::string&, double share) {
+    ++reports;
+    CHECK(share >= 0);
+    CHECK(share <= 1);
+  };
+  CHECK(prove_regular(surface, options).verdict == Verdict::proved);
+  CHECK(reports > 0);
+  const std::atomic<bool> stop = true;
+  options.limits.stop = &stop;
+  CHECK_THROWS_AS((void)prove_regular(surface, options), Error);
+  const Result result = decide(cube<Rational>());
+  CHECK_THROWS_AS((void)verify(*result.certificate, &stop), Error);
+}
+
+TEST_CASE("certificates with a name twice or a fraction for an index are no certificates") {
+  CHECK_FALSE(parse_certificate("{\"a\": 1, \"a\": 1}").has_value());
+  CHECK_FALSE(parse_certificate("{\"a\": [{\"b\": 1, \"b\": 2}]}").has_value());
+  CHECK(parse_certificate("{\"a\": [{\"b\": 1}, {\"b\": 2}]}").has_value());
+  const Result result = decide(regularity_mesh("star3"));
+  REQUIRE(result.certificate);
+  Json data = (*result.certificate)["data"];
+  data["rings"][0]["vertex"] = data["rings"][0]["vertex"].get<double>();
+  CHECK_FALSE(verify(seal("regular-surface", (*result.certificate)["statement"], data)).accepted);
 }

@@ -143,6 +143,18 @@ Surface<Rational> folded_fan() {
   return surface;
 }
 
+/// In a plane that is turned about the x axis and moved.
+Surface<Rational> tilted(Surface<Rational> surface) {
+  const Rational c = Rational(3) / Rational(5), s = Rational(4) / Rational(5);
+  REQUIRE(surface.points.cols() == 3);
+  for (Eigen::Index v = 0; v < surface.points.rows(); ++v) {
+    const Rational y = surface.points(v, 1);
+    REQUIRE(surface.points(v, 2).is_zero());
+    surface.points.row(v) << surface.points(v, 0) + Rational(1) / Rational(7), c * y - Rational(2), s * y + Rational(3);
+  }
+  return surface;
+}
+
 /// In the plane and in space, by all tests, split, with and without rings, embedded, and refuted in all ways.
 std::vector<Json> certificates_of_surfaces() {
   using oracle::regularity_mesh;
@@ -155,6 +167,8 @@ std::vector<Json> certificates_of_surfaces() {
   result.push_back(surface_certificate(regularity_mesh("grid_regular")));
   result.push_back(surface_certificate(regularity_mesh("ce_opposite")));
   result.push_back(surface_certificate(regularity_mesh("cusp3d_dyadic")));
+  result.push_back(surface_certificate(tilted(regularity_mesh("grid_folded"))));
+  result.push_back(surface_certificate(tilted(regularity_mesh("star5"))));
   result.push_back(surface_certificate(folded_fan(), RegularityTest::t2, RegularityMode::interior));
   return result;
 }
@@ -198,7 +212,7 @@ TEST_CASE("the Python checker accepts what is certified of regular and irregular
     return;
   }
   std::vector<Json> certificates = certificates_of_surfaces();
-  REQUIRE(certificates.size() == 10);
+  REQUIRE(certificates.size() == 12);
   certificates.push_back(certificate_of_cube());
   certificates.push_back(surface_certificate(oracle::regularity_mesh("mech_part")));  // but for faces around boundary vertices
   for (const std::string& answer : second_opinions(certificates)) CHECK(answer == "accepted");

@@ -158,6 +158,8 @@ constexpr CodeEntry table[] = {
      "the "
      "parameters."},
     {"E_VIEW", "E23", "a view without a direction", "A picture of a mesh needs a view direction that is not zero."},
+    {"E_LAMBDA", "E30", "a shape parameter outside its range",
+     "Points can be interpolated for 7/20 < lambda <= 1: at 7/20 the system stops being invertible on two-colourable meshes."},
 
     // G: geometry
     {"E_NO_FACES", "G01", "a mesh without faces", "A mesh needs at least one face of three corners."},
@@ -198,6 +200,13 @@ constexpr CodeEntry table[] = {
      "boundary "
      "with two,\n"
      "or a corner with one."},
+    {"E_NORMAL", "G22", "a normal that is no direction", "A prescribed normal must be finite and not zero."},
+    {"E_NORMALS", "G23", "a wrong number of normals",
+     "There is one normal of three numbers per vertex; vertices without one are left out by name."},
+    {"E_NOT_CLOSED", "G24", "a mesh that is not closed",
+     "The studies of the paper (method = literal, kkt) need closed meshes; two_level takes open ones."},
+    {"E_TANGENTS", "G25", "a vertex without a tangent plane",
+     "Normals are turned about limit tangents, so these must be independent there."},
 
     // F: files
     {"E_FILE_OPEN", "F01", "a file that cannot be opened", "The file is missing, is a folder, or may not be read or written."},
@@ -251,6 +260,8 @@ constexpr CodeEntry table[] = {
      "such limit."},
     {"E_PARAMETRIC_SIZE", "L13", "a formula in free parameters that grew too large",
      "Words run on symbols for up to 6 parameters, with at most 2000 terms and degree 200 in a numerator or denominator."},
+    {"E_SINGULAR", "L14", "a linear system that is nearly singular",
+     "Its solution cannot be told from others in the precision at hand. The message says what to change."},
 
     // Others
     {"E_INTERRUPTED", "I01", "interrupted", "Ctrl-C ended the computation. No file was left half-written."},

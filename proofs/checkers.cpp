@@ -37,6 +37,10 @@ std::span<const Checker> checkers() {
       Checker{"circle", check_circle},
       Checker{"regular-surface", check_regular_surface},
       Checker{"irregular-surface", check_irregular_surface},
+      Checker{"interpolation", check_interpolation},
+      Checker{"interpolation-reversed", check_interpolation_reversed},
+      Checker{"interpolation-threshold", check_interpolation_threshold},
+      Checker{"interpolation-checkerboard", check_interpolation_checkerboard},
   };
   return table;
 }

@@ -43,4 +43,14 @@ std::string check_regular_surface(const Json& data,
                                   StopFlag stop = nullptr);  // "regular-surface": a Catmull-Clark surface is regular
 std::string check_irregular_surface(const Json& data, StopFlag stop = nullptr);  // "irregular-surface": it has a singular point
 
+// check_interpolation.cpp
+std::string check_interpolation(const Json& data,
+                                StopFlag stop = nullptr);  // "interpolation": points and normals of a mesh are met exactly
+std::string check_interpolation_reversed(const Json& data,
+                                         StopFlag stop = nullptr);  // "interpolation-reversed": a normal is met on the wrong side
+std::string check_interpolation_threshold(const Json& data,
+                                          StopFlag stop = nullptr);  // "interpolation-threshold": lambda above 7/20 is enough
+std::string check_interpolation_checkerboard(const Json& data,
+                                             StopFlag stop = nullptr);  // "interpolation-checkerboard": up to 7/20 it is not
+
 }  // namespace udcp

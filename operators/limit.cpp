@@ -83,11 +83,12 @@ RunControl from_item(int item, const RunControl& control) {
 // The left eigenvector of the eigenvalue 1, entries summing to 1: by squaring, as every other eigenvalue is smaller.
 Row limit_row(Matrix a) {
   const Matrix step = a;
+  const double settled = 1e-16 * static_cast<double>(10 + a.cols());  // rounding of a row of so many entries
   for (int k = 0; k < 12; ++k) {
     const Row before = a.row(0);
     a *= a;
     for (Eigen::Index i = 0; i < a.rows(); ++i) a.row(i) /= a.row(i).sum();  // keeps row sums 1 through the rounding
-    if ((a.row(0) - before).cwiseAbs().sum() >= 1e-15) continue;
+    if ((a.row(0) - before).cwiseAbs().sum() >= settled) continue;
     if ((before * step - before).cwiseAbs().sum() < 1e-9) return a.row(0);  // an eigenvalue -1 settles under squaring only
     break;
   }

@@ -6,6 +6,8 @@
 #include "files/svg.h"
 #include "interpreter/apply.h"
 #include "interpreter/arguments.h"
+#include "interpreter/colour_bar.h"
+#include "interpreter/filling.h"
 #include "interpreter/formula.h"
 #include "interpreter/report.h"
 
@@ -133,6 +135,9 @@ void save_mesh(CallContext& context, const MeshValue& mesh, const std::filesyste
   if (options.colour_attribute.empty()) options.colour_attribute = mesh.colour;
   options.zero_matters = !mesh.colour.empty() && options.colour_attribute == mesh.colour;
   if (a.find("format")) options.format = need_text(a, a.positional.size(), "format");
+  const bool in_scene = extension_of(path) == ".glb" || extension_of(path) == ".gltf";
+  if (in_scene && options.format.empty() && !mesh.colour.empty() && options.colour_attribute == mesh.colour)
+    return save_with_legend(surface, path, options);
   save(surface, path, options);
 }
 
@@ -146,7 +151,10 @@ Value save_value(CallContext& context, const Arguments& a) {
   const Value& value = a.positional[0];
   const std::filesystem::path path = path_argument(context, a, 1);
   const std::string extension = extension_of(path);
-  if (extension == ".svg") {
+  const auto* filled = value.as<ReportValue>();
+  if (filled && filled->surface && extension != ".svg" && extension != ".txt") {
+    save_surface(*filled->surface, path, extension, context);
+  } else if (extension == ".svg") {
     save_picture(value, path, a);
   } else if (extension == ".json") {
     write_file(path, to_json(value).dump(2) + "\n");

@@ -84,11 +84,9 @@ std::vector<Builtin> builtins_proofs() {
        2,
        {"word", "mode", "test", "depth", "except", "steps", "corners"},
        claim_regular},
-      engine("curvature", "curvature(mesh, word)", "Curvature of the limit surface."),
       engine("offset", "offset(mesh, distance, tolerance)", "A control mesh whose limit is an offset surface."),
       engine("offset_error", "offset_error(mesh, mesh)", "How far an offset is from its distance."),
       engine("self_intersections", "self_intersections(mesh)", "Pairs of faces that meet where they should not."),
-      engine("fill_g2", "fill_g2(mesh)", "Fills an n-sided hole with curvature continuity."),
   };
 }
 

@@ -160,6 +160,14 @@ constexpr CodeEntry table[] = {
     {"E_VIEW", "E23", "a view without a direction", "A picture of a mesh needs a view direction that is not zero."},
     {"E_LAMBDA", "E30", "a shape parameter outside its range",
      "Points can be interpolated for 7/20 < lambda <= 1: at 7/20 the system stops being invertible on two-colourable meshes."},
+    {"E_ADJUSTABLE_C", "E31", "a parameter of adjustable Catmull-Clark outside its range",
+     "c is between 0 and 1: 1/2 is Catmull-Clark, 0 leaves the points where they are (bilinear), 1 pulls furthest away from the "
+     "mesh. A "
+     "surface\n"
+     "that is not refined any more needs c above 0."},
+    {"E_FILL_STEPS", "E32", "a number of steps that a fill cannot take",
+     "fill_g2 takes 0 to 20 steps; steps = auto takes as few as it needs."},
+    {"E_TESSELLATION", "E33", "a tessellation that cannot be made", "Each patch is cut into n x n quads, with n from 1 to 1000."},
 
     // G: geometry
     {"E_NO_FACES", "G01", "a mesh without faces", "A mesh needs at least one face of three corners."},
@@ -207,6 +215,22 @@ constexpr CodeEntry table[] = {
      "The studies of the paper (method = literal, kkt) need closed meshes; two_level takes open ones."},
     {"E_TANGENTS", "G25", "a vertex without a tangent plane",
      "Normals are turned about limit tangents, so these must be independent there."},
+    {"E_FILL_ISOLATED", "G26", "a vertex that is not isolated enough to be filled",
+     "A fill replaces the quads around a vertex; their other corners must be interior vertices of valence 4. One Catmull-Clark "
+     "step "
+     "makes it\n"
+     "so on meshes of quads, two on others. fill_g2(mesh, steps = auto) takes them."},
+    {"E_FILL_BOUNDARY", "G27", "a boundary vertex without patches",
+     "Next to a boundary there are patches where a vertex has two faces, or one as a corner. Steps do not change the number of "
+     "faces "
+     "of a\n"
+     "boundary vertex; fill_g2(mesh, leave_out = yes) makes the other patches."},
+    {"E_FILL_VALENCE", "G28", "a valence without a fill", "Fills are made for valences 3 to 100, exact proofs for 3 to 10."},
+    {"E_FILL_C", "G29", "a parameter near a fill that is not 1/2",
+     "The patches of a fill join cubic B-splines, so c must be 1/2 at all points in the two rings of the vertex. Steps with "
+     "another c "
+     "come\n"
+     "first: after a step the surface is taken with c = 1/2."},
 
     // F: files
     {"E_FILE_OPEN", "F01", "a file that cannot be opened", "The file is missing, is a folder, or may not be read or written."},

@@ -352,11 +352,11 @@ Value evaluate_argument(const grammar::Argument& a, CallContext& context, const 
 }
 
 bool is_symbol(const std::string& name) {
-  static const std::set<std::string> symbols = {"lat",       "lon",     "both",   "off",    "x",     "y",        "z",
-                                                "one_face",  "all",     "none",   "corner", "sharp", "interior", "bspline",
-                                                "boundary",  "nothing", "tagged", "T1",     "T2",    "T3",       "T4",
-                                                "global",    "local",   "plain",  "auto",   "free",  "tied",     "rotate",
-                                                "two_level", "literal", "kkt",    "jacobi", "gauss", "average"};
+  static const std::set<std::string> symbols = {
+      "lat",    "lon",       "both",    "off",      "x",       "y",        "z",       "one_face", "all",
+      "none",   "corner",    "sharp",   "interior", "bspline", "boundary", "nothing", "tagged",   "T1",
+      "T2",     "T3",        "T4",      "global",   "local",   "plain",    "auto",    "free",     "tied",
+      "rotate", "two_level", "literal", "kkt",      "jacobi",  "gauss",    "average", "gaussian", "mean"};
   return symbols.contains(name);
 }
 

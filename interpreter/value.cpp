@@ -15,7 +15,9 @@ std::string type_name(const Value& value) {
     std::string operator()(const MeshValue&) const { return "mesh"; }
     std::string operator()(const MatrixValue&) const { return "matrix"; }
     std::string operator()(const FunctionValue&) const { return "function"; }
-    std::string operator()(const ReportValue& report) const { return report.claim ? "claim" : "report"; }
+    std::string operator()(const ReportValue& report) const {
+      return report.claim ? "claim" : report.surface ? "surface" : "report";
+    }
   };
   return std::visit(Names{}, value.data);
 }

@@ -41,6 +41,8 @@ std::span<const Checker> checkers() {
       Checker{"interpolation-reversed", check_interpolation_reversed},
       Checker{"interpolation-threshold", check_interpolation_threshold},
       Checker{"interpolation-checkerboard", check_interpolation_checkerboard},
+      Checker{"g2-fill", check_g2_fill},
+      Checker{"g2-print", check_g2_print},
   };
   return table;
 }

@@ -53,4 +53,8 @@ std::string check_interpolation_threshold(const Json& data,
 std::string check_interpolation_checkerboard(const Json& data,
                                              StopFlag stop = nullptr);  // "interpolation-checkerboard": up to 7/20 it is not
 
+// check_g2.cpp
+std::string check_g2_fill(const Json& data, StopFlag stop);   // "g2-fill": the G2 fill of a valence exists and joins
+std::string check_g2_print(const Json& data, StopFlag stop);  // "g2-print": with a formula as printed there is none
+
 }  // namespace udcp

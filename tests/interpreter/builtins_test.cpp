@@ -188,8 +188,8 @@ TEST_SUITE("interpreter") {
   }
 
   TEST_CASE("engines of later versions check names and say so") {
-    CHECK(error_of("curvature(cube(), catmull_clark)").code == "E_NOT_AVAILABLE");
-    CHECK(error_of("curvature(cube(), catmul_clark)").code == "E_NAME");
-    CHECK(std::string(error_of("fill_g2(cube())").what()) == "fill_g2 is not available in this version");
+    CHECK(error_of("offset(octahedron(), distance = 1)").code == "E_NOT_AVAILABLE");
+    CHECK(error_of("offset(octahedro(), distance = 1)").code == "E_NAME");
+    CHECK(std::string(error_of("offset(cube(), 1)").what()) == "offset is not available in this version");
   }
 }

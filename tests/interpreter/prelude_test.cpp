@@ -249,6 +249,6 @@ TEST_SUITE("interpreter") {
       CHECK((value->as<WordValue>() || value->as<FunctionValue>()));
       ++words;
     }
-    CHECK(words == 20);
+    CHECK(words == 21);
   }
 }

@@ -12,10 +12,10 @@ namespace udcp {
 /// Frames of an animation, by the file they will be saved to.
 using AnimationFrames = std::map<std::filesystem::path, std::vector<Surface<double>>>;
 
-/// What evaluation sees of the running session. Lives for one run().
 struct Builtin;
 struct ClaimDomain;
 
+/// What evaluation sees of the running session. Lives for one run().
 struct CallContext {
   Settings& settings;
   const Output& output;

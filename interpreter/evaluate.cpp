@@ -5,6 +5,7 @@
 
 #include "interpreter/arithmetic.h"
 #include "interpreter/formula.h"
+#include "operators/interrupt.h"
 
 namespace udcp {
 
@@ -42,7 +43,7 @@ class Evaluation {
                     e.span);
     const Nesting level(nesting_);
     if (nesting_ > max_nesting) throw Located(too_deep(), e.span);
-    if (bounds_.stop && (steps_ & 255) == 0 && *bounds_.stop) throw Error(ErrorKind::interrupted, "E_INTERRUPTED", "interrupted");
+    if ((steps_ & 255) == 0) throw_if_stopped(bounds_.stop.get());
     try {
       return f();
     } catch (const Located&) {

@@ -11,6 +11,7 @@
 #include "interpreter/formula.h"
 #include "interpreter/report.h"
 #include "interpreter/words.h"
+#include "operators/interrupt.h"
 
 namespace udcp {
 
@@ -289,7 +290,7 @@ Value evaluate(const Expr& expr, CallContext& context) {
     if (++context.steps > max_steps)
       throw Error(ErrorKind::limit, "E_STEPS", "this statement took more than " + std::to_string(max_steps) + " steps",
                   "a recursive function may not come to an end");
-    if (*context.stop) throw Error(ErrorKind::interrupted, "E_INTERRUPTED", "interrupted");
+    throw_if_stopped(context.stop.get());
     return std::visit(Evaluator(expr, context), expr.node);
   } catch (const Located&) {
     throw;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "operators/interrupt.h"
 #include "operators/schemes.h"
 #include "proofs/regularity/quad_mesh.h"
 
@@ -60,7 +61,7 @@ Stretch stretch_of(const QuadMesh& quads, const Rational& unit, const std::atomi
   Stretch result{std::vector<double>(at(mesh.vertices()), 0), std::vector<char>(at(mesh.vertices()), 0)};
   for (int v = 0; v < mesh.vertices(); ++v) {
     if (!is_regular(quads.class_of(v))) continue;
-    if (v % 256 == 0 && stop != nullptr && stop->load()) throw Error(ErrorKind::interrupted, "E_INTERRUPTED", "interrupted");
+    if (v % 256 == 0) throw_if_stopped(stop);
     const int h = mesh.outgoing[at(v)], face = mesh.face[at(h)], number = h - mesh.face_begin[at(face)];
     const CornerValues values = corner(quads.net(face), number / 2, (number == 1 || number == 2) ? 1 : 0);
     result.value[at(v)] = stretch_of(Rational(1) / unit * cross(values.du, values.dv), quads.is_planar());

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "operators/interrupt.h"
 #include "operators/schemes.h"
 #include "proofs/regularity/adaptive.h"
 #include "proofs/regularity/covered_surface.h"
@@ -19,10 +20,6 @@ constexpr std::int64_t most_faces = 50'000;
 
 std::size_t at(int k) { return Mesh::i(k); }
 double degrees(double radians) { return radians * 180 / std::numbers::pi; }
-
-void check_stop(const RunControl& control) {
-  if (control.stop != nullptr && control.stop->load()) throw Error(ErrorKind::interrupted, "E_INTERRUPTED", "interrupted");
-}
 
 std::vector<Direction> directions_of(const std::vector<Vector3>& vectors) {
   std::vector<Direction> result;
@@ -195,7 +192,7 @@ void study_worst_patch(ConeLevel& level, RegularityMode mode, const RunControl& 
   double worst = 5;
   for (int f = 0; f < level.mesh.mesh().faces(); ++f) {
     if (level.mesh.kind_of(f, mode) != FaceKind::patch) continue;
-    if (f % 64 == 0) check_stop(control);
+    if (f % 64 == 0) throw_if_stopped(control.stop);
     const BicubicNet net = level.mesh.net(f);
     const bool passed = find_witness(net, RegularityTest::t2, level.mesh.is_planar()).has_value();
     const double here = margin(differences(net)) + (passed ? 3 : 0);
@@ -360,7 +357,7 @@ ConeStudy study_cones(const Surface<Rational>& surface, const ConeOptions& optio
     patch = mesh.net(study.face);
   }
   for (int step = 0; step <= steps; ++step) {
-    check_stop(options.control);
+    throw_if_stopped(options.control.stop);
     if (step > 0)
       study.levels.push_back(
           level_of(run(schemes::catmull_clark(), study.levels.back().mesh.surface(), 1, options.control), options.mode));

@@ -13,6 +13,7 @@
 #include "interpreter/compare.h"
 #include "interpreter/formula.h"
 #include "interpreter/report.h"
+#include "operators/interrupt.h"
 
 namespace udcp {
 
@@ -101,7 +102,7 @@ void Runner::execute(const Statement& statement) {
   result_ = Value{};
   context_.steps = 0;
   context_.last = has_last_ ? &last_ : nullptr;
-  if (*context_.stop) throw Error(ErrorKind::interrupted, "E_INTERRUPTED", "interrupted");
+  throw_if_stopped(context_.stop.get());
   std::visit([&](const auto& node) { on(node, statement.span); }, statement.node);
 }
 

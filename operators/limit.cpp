@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 
+#include "operators/interrupt.h"
 #include "operators/matrix.h"
 #include "operators/modes.h"
 #include "operators/neighbourhood.h"
@@ -291,8 +292,7 @@ Limit limit(const Word& word, const Surface<double>& surface, const RunControl& 
     const Neighbourhood local = neighbourhood(*base.mesh, base.tags, base.mesh->outgoing[at(v)], rings);
     auto found = known.find(local.signature);
     if (found == known.end()) {
-      if (control.stop != nullptr && control.stop->load())
-        throw Error(ErrorKind::interrupted, "E_INTERRUPTED", "interrupted", "");
+      throw_if_stopped(control.stop);
       found = known.emplace(local.signature, stencil_of(word, local, rings, control)).first;
     }
     const auto apply = [&](const Row& row) {

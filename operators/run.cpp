@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "operators/atoms.h"
+#include "operators/interrupt.h"
 
 namespace udcp {
 namespace {
@@ -411,8 +412,7 @@ Shape run_word(const Word& word, Shape shape, int rounds, const RunControl& cont
   double done = 0;
   Runner<S, Shape> runner(word, std::move(shape), control);
   for (int i = from; i < to; ++i) {
-    if (control.stop != nullptr && control.stop->load(std::memory_order_relaxed))
-      throw Error(ErrorKind::interrupted, "E_INTERRUPTED", "interrupted", "");
+    throw_if_stopped(control.stop);
     runner.step();
     done += work_on(runner.shape());
     if (control.progress) control.progress(std::min(1.0, done / total));

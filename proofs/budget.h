@@ -3,6 +3,7 @@
 
 #include <chrono>
 
+#include "operators/interrupt.h"
 #include "proofs/verdict.h"
 
 namespace udcp {
@@ -12,9 +13,7 @@ class Budget {
   explicit Budget(const SearchLimits& limits) : limits_(limits), nodes_(limits.nodes), start_(std::chrono::steady_clock::now()) {}
 
   /// Throws Error{interrupted} when told to stop.
-  void check_stop() const {
-    if (limits_.stop != nullptr && limits_.stop->load()) throw Error(ErrorKind::interrupted, "E_INTERRUPTED", "interrupted", "");
-  }
+  void check_stop() const { throw_if_stopped(limits_.stop); }
   /// Takes nodes; false once the nodes or the seconds are used up. Throws Error{interrupted} when told to stop.
   bool spend(int nodes = 1) {
     check_stop();

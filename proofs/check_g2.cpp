@@ -1,4 +1,5 @@
 // Checkers of fills: every exact computation once more, from the word and the functions that make the running masks.
+#include "operators/interrupt.h"
 #include "operators/methods/fill_mask.h"
 #include "proofs/checkers.h"
 #include "proofs/fill_facts.h"
@@ -6,10 +7,6 @@
 
 namespace udcp {
 namespace {
-
-void check_stop(StopFlag stop) {
-  if (stop != nullptr && stop->load()) throw Error(ErrorKind::interrupted, "E_INTERRUPTED", "interrupted", "");
-}
 
 /// The masks that run are those of the fairest choice up to the bound.
 void check_running_mask(int valence, const Rational& bound, StopFlag stop) {
@@ -43,7 +40,7 @@ std::string check_g2_fill(const Json& data, StopFlag stop) {
   require(ranks.is_array() && static_cast<int>(ranks.size()) == valence / 2 + 1,
           "ranks must have an entry per frequency 0 .. n/2");
   for (int f = 0; 2 * f <= valence; ++f) {
-    check_stop(stop);
+    throw_if_stopped(stop);
     const std::string where = " at frequency " + std::to_string(f);
     const FrequencyFacts facts = frequency_facts(valence, f, weights);
     require(facts.rank == integer_from(ranks[static_cast<std::size_t>(f)], 0, 25, "ranks"),

@@ -2,6 +2,7 @@
 // exactly. They search for nothing.
 #include <set>
 
+#include "operators/interrupt.h"
 #include "operators/methods/interpolate_points.h"
 #include "operators/methods/quad_fans.h"
 #include "operators/schemes.h"
@@ -11,17 +12,13 @@
 namespace udcp {
 namespace {
 
-void check_stop(StopFlag stop) {
-  if (stop != nullptr && stop->load()) throw Error(ErrorKind::interrupted, "E_INTERRUPTED", "interrupted");
-}
-
 /// The control mesh on which step 2 works, after checking that its limits are the points.
 Surface<Rational> second_refinement(const ExactInterpolation& what, const Json& control, StopFlag stop) {
   const int count = what.cage.mesh->vertices();
   const Surface<Rational> first = first_refinement(what, rows_from(control, count, "control"));
   std::set<int> valences(what.cage.mesh->valences.begin(), what.cage.mesh->valences.end());
   for (const int n : valences) {
-    check_stop(stop);
+    throw_if_stopped(stop);
     require(are_masks_eigenvectors(n), "the masks of valence " + std::to_string(n) + " are not those of the running word");
   }
   require(limit_points(first, count) == what.cage.points, "control does not have its limits at the vertices");
@@ -37,7 +34,7 @@ std::string check_interpolation(const Json& data, StopFlag stop) {
   std::vector<char> owned(static_cast<std::size_t>(fine.mesh->vertices()), 0);
   Fan fan;
   for (int v = 0; v < what.cage.mesh->vertices(); ++v) {
-    check_stop(stop);
+    throw_if_stopped(stop);
     const std::string place = "vertex " + std::to_string(v);
     collect_fan(*fine.mesh, v, fan);
     for (const std::vector<int>* list : {&fan.e, &fan.f}) {
@@ -71,7 +68,7 @@ std::string check_interpolation_threshold(const Json& data, StopFlag stop) {
       "rows must be a list");
   std::vector<int> valences;
   for (const Json& json : data["rows"]) {
-    check_stop(stop);
+    throw_if_stopped(stop);
     require_entries(json, {"valence", "own", "edge", "face"}, "a row");
     const int n = integer_from(json["valence"], valences.empty() ? 3 : valences.back() + 1, largest_interpolation_valence,
                                "valence (rising)");
@@ -89,7 +86,7 @@ std::string check_interpolation_checkerboard(const Json& data, StopFlag stop) {
   const Mesh mesh = mesh_from(data["vertices"], data["faces"]);
   for (const int n : mesh.valences) require(n <= largest_interpolation_valence, "a valence is too large");
   require(data["colours"].is_string(), "colours must be a text");
-  check_stop(stop);
+  throw_if_stopped(stop);
   const Rational lambda = rational_from(data["lambda"], "lambda");
   const Rational quotient = checkerboard_quotient(mesh, data["colours"].get<std::string>(), lambda);
   require(rational_from(data["quotient"], "quotient") == quotient, "the quotient of the colours is " + quotient.to_string());

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "operators/interrupt.h"
 #include "proofs/linear_algebra.h"
 
 namespace udcp {
@@ -308,7 +309,7 @@ Points<Algebraic> exact_fill_mask(int valence, const std::atomic<bool>* stop) {
   Matrix mask = Matrix::Zero(fill_points, ring_size(valence, 2));
   static constexpr int places[6][2] = {{1, 0}, {1, 1}, {2, 0}, {2, 1}, {2, 2}, {1, 2}};
   for (int f = 0; 2 * f <= valence; ++f) {
-    if (stop != nullptr && stop->load()) throw Error(ErrorKind::interrupted, "E_INTERRUPTED", "interrupted", "");
+    throw_if_stopped(stop);
     const Solutions solutions = solutions_of(valence, f, weights, Print::none);
     const std::vector<int>&free = points_where(true), &fixed = points_where(false);
     Split x = *solutions.particular, slope = times(energy_of(free, free), x);

@@ -1,6 +1,7 @@
 // Certificates of fills: the ranks that floating point sees, for the checker to confirm.
 #include "proofs/g2_fill.h"
 
+#include "operators/interrupt.h"
 #include "proofs/static_word.h"
 #include "proofs/surface_facts.h"
 
@@ -14,15 +15,11 @@ void check_valence(int valence) {
         "exact fills are made for valences 3 to " + std::to_string(largest_exact_fill) + ", not " + std::to_string(valence), "");
 }
 
-void check_stop(const SearchLimits& limits) {
-  if (limits.stop != nullptr && limits.stop->load()) throw Error(ErrorKind::interrupted, "E_INTERRUPTED", "interrupted", "");
-}
-
 }  // namespace
 
 Result prove_g2(const Word& word, int valence, const SearchLimits& limits) {
   check_valence(valence);
-  check_stop(limits);
+  throw_if_stopped(limits.stop);
   const Interval::Precision precision(proof_precision);
   const std::string claim = "the fill of valence " + std::to_string(valence) + " joins with G2";
   Json json;
@@ -56,7 +53,7 @@ Result prove_g2(const Word& word, int valence, const SearchLimits& limits) {
 
 Result prove_g2_as_printed(int valence, Print print, const SearchLimits& limits) {
   check_valence(valence);
-  check_stop(limits);
+  throw_if_stopped(limits.stop);
   const std::string claim =
       "the fill of valence " + std::to_string(valence) + " joins with G2 with " + to_string(print) + " as printed";
   const std::string failure = print_failure(valence, print);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "operators/interrupt.h"
 #include "operators/matrix.h"
 #include "proofs/checkers.h"
 #include "proofs/curve_smoothness.h"
@@ -54,7 +55,7 @@ class Search {
 
   /// The certificate of the cell; null where it is not proved: then `failed` says where.
   Json cell(const std::vector<Side>& sides, int depth) {
-    if (limits_.stop && *limits_.stop) throw Error(ErrorKind::interrupted, "E_INTERRUPTED", "interrupted");
+    throw_if_stopped(limits_.stop);
     if (++nodes_ > limits_.nodes || seconds() > limits_.seconds)
       return give_up(sides, "the time or the number of cells is used up");
     for (const int length : {1, 2}) {
@@ -245,7 +246,7 @@ class Region {
 
  private:
   Verdict decide(const std::vector<Side>& cell) {
-    if (limits_.stop && *limits_.stop) throw Error(ErrorKind::interrupted, "E_INTERRUPTED", "interrupted");
+    throw_if_stopped(limits_.stop);
     if (std::chrono::duration<double>(Clock::now() - start_).count() > limits_.seconds) return Verdict::undecided;
     for (const BoxPolynomial& p : refuting_) {
       if (positive_on(Rational(-1) * p, cell)) return Verdict::refuted;

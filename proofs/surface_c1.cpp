@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "operators/interrupt.h"
 #include "proofs/characteristic_ring.h"
 #include "proofs/eigenvalues.h"
 #include "proofs/surface_facts.h"
@@ -15,7 +16,7 @@ class Clock {
  public:
   explicit Clock(const SearchLimits& limits) : limits_(limits), begin_(std::chrono::steady_clock::now()) {}
   void check() const {
-    if (limits_.stop != nullptr && *limits_.stop) throw Error(ErrorKind::interrupted, "E_INTERRUPTED", "interrupted");
+    throw_if_stopped(limits_.stop);
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin_;
     require(passed.count() <= limits_.seconds, "the time limit of the search was reached");
   }

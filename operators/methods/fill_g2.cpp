@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "operators/interrupt.h"
 #include "operators/matrix.h"
 #include "operators/schemes.h"
 #include "operators/topology.h"
@@ -212,8 +213,7 @@ PatchSurface fill_g2(const Surface<double>& surface, const FillOptions& options)
   FillMasks own;
   const Mesh& mesh = *result.cage.mesh;
   for (int v = 0; v < mesh.vertices(); ++v) {
-    if (options.control.stop != nullptr && options.control.stop->load())
-      throw Error(ErrorKind::interrupted, "E_INTERRUPTED", "interrupted", "");
+    throw_if_stopped(options.control.stop);
     if (is_extraordinary(mesh, v)) fill_vertex(result, v, options.masks ? *options.masks : own);
   }
   return result;

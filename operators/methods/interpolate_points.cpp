@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "operators/interrupt.h"
 #include "operators/methods/limit_masks.h"
 #include "operators/methods/mesh_system.h"
 #include "operators/methods/point_system.h"
@@ -209,7 +210,7 @@ Progress<S> progress_points(const Surface<S>& cage, const PointOptions& options,
   Surface<S> start = cage;
   Progress<S> result{modified_step(cage, options.lambda, options.control), {}, 0};
   for (int k = 0; k < iterations; ++k) {
-    check_stop(options.control);
+    throw_if_stopped(options.control.stop);
     const Points<S> limits = limit_points(result.control, count);
     note_difference(result, difference_of(cage.points, limits, options.skipped));
     if (result.differences.back() <= tolerance * size || !(result.differences.back() < 1e100)) break;

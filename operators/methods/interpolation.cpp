@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "operators/interrupt.h"
 #include "operators/methods/mesh_system.h"
 #include "operators/schemes.h"
 
@@ -44,7 +45,7 @@ void two_levels(const Surface<double>& cage, const Points<double>& normals, cons
   if (options.step1 != PointStep::plain)
     result.control = run(schemes::catmull_clark(), std::move(result.control), 1, part(options.control, 0.4, 0.9));
   if (normals.rows() == 0) return;
-  check_stop(options.control);
+  throw_if_stopped(options.control.stop);
   TurnedNormals turned = turn_normals(result.control, normals, {options.step2, options.skipped_normals});
   result.control.points = std::move(turned.points);
   result.vertices = std::move(turned.reports);

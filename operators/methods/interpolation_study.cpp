@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "operators/interrupt.h"
 #include "operators/methods/limit_masks.h"
 #include "operators/methods/mesh_system.h"
 #include "operators/methods/sparse_solvers.h"
@@ -62,7 +63,7 @@ Sweeps sweep(const Surface<double>& cage, const Points<double>& normals, const S
   Sweeps result{modified_step(cage, options.points.lambda, options.points.control), {}, 0};
   double last_change = 0;
   for (int k = 0; k < options.sweeps; ++k) {
-    check_stop(options.points.control);
+    throw_if_stopped(options.points.control.stop);
     const Points<double> before = result.control.points;
     result.control = put_limits(std::move(result.control), cage.points, options.points.skipped);
     result.control.points = normal_sweep(result.control, normals, options);
@@ -150,14 +151,14 @@ LeastCorrection least_correction(const Surface<double>& cage, const Points<doubl
   LeastCorrection result{interpolate_points(cage, options)};
   Conditions conditions(result.control, cage.points, normals);
   for (int v = 0; v < cage.mesh->vertices(); ++v) {
-    check_stop(options.control);
+    throw_if_stopped(options.control.stop);
     if (!is_skipped(options.skipped, v)) conditions.add_position(v);
     if (!is_skipped(skipped_normals, v)) conditions.add_normal(v);
   }
   result.rows = conditions.rows();
   if (result.rows == 0) return result;
   const LeastNorm solution = conditions.solve();
-  check_stop(options.control);
+  throw_if_stopped(options.control.stop);
   result.rank = solution.rank;
   for (Eigen::Index i = 0; i < result.control.points.rows(); ++i) {
     const Eigen::RowVector3d row = solution.x.segment<3>(3 * i).transpose();

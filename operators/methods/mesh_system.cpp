@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 
+#include "operators/interrupt.h"
 #include "operators/methods/sparse_solvers.h"
 
 namespace udcp {
@@ -60,7 +61,7 @@ std::optional<Points<double>> solve_by_gradients(const MeshSystem<double>& syste
   const double target = 1e-15 * right.norm();
   double rz = r.cwiseProduct(z).sum(), best = r.norm();
   for (int k = 0, since_best = 0; r.norm() > target && since_best < 50; ++k) {
-    check_stop(control);
+    throw_if_stopped(control.stop);
     if (k >= iterations) return std::nullopt;
     const Points<double> product = apply(system, d);
     const double step = rz / d.cwiseProduct(product).sum();
@@ -91,7 +92,7 @@ class Elimination {
   Points<S> solve(const RunControl& control) {
     std::vector<char> done(rows_.size(), 0);
     for (std::size_t k = 0; k < rows_.size(); ++k) {
-      check_stop(control);
+      throw_if_stopped(control.stop);
       const int p = fewest_neighbours(done);
       done[at(p)] = 1;
       order_.push_back(p);
@@ -136,11 +137,6 @@ class Elimination {
 };
 
 }  // namespace
-
-void check_stop(const RunControl& control) {
-  if (control.stop != nullptr && control.stop->load(std::memory_order_relaxed))
-    throw Error(ErrorKind::interrupted, "E_INTERRUPTED", "interrupted", "");
-}
 
 template <class S>
 Points<S> apply(const MeshSystem<S>& system, const Points<S>& x) {
@@ -191,9 +187,9 @@ Points<double> solve_in(const MeshSystem<double>& system, const Points<double>& 
 template <class S>
 Points<S> solve(const MeshSystem<S>& system, const Points<S>& right, const RunControl& control) {
   if (system.size() == 0) return right;
-  check_stop(control);
+  throw_if_stopped(control.stop);
   Points<S> x = solve_in(system, right, control);
-  check_stop(control);
+  throw_if_stopped(control.stop);
   return x;
 }
 

@@ -35,7 +35,4 @@ Points<S> solve(const MeshSystem<S>& system, const Points<S>& right, const RunCo
 
 inline constexpr int largest_exact_system = 400;
 
-/// Error{interrupted} if the control says so.
-void check_stop(const RunControl& control);
-
 }  // namespace udcp

@@ -1,4 +1,5 @@
 // A patch surface as a quad mesh.
+#include "operators/interrupt.h"
 #include "operators/methods/patch_surface.h"
 
 namespace udcp {
@@ -134,7 +135,7 @@ Tessellation tessellate(const PatchSurface& surface, int n, const RunControl& co
   }
   Sums sums(shared.points());
   for (int f = 0; f < mesh.faces(); ++f) {
-    if (control.stop != nullptr && control.stop->load()) throw Error(ErrorKind::interrupted, "E_INTERRUPTED", "interrupted", "");
+    throw_if_stopped(control.stop);
     if (control.progress && f % 64 == 0) control.progress(static_cast<double>(f) / mesh.faces());
     for (int i = 0; i < static_cast<int>(grids[at(f)].size()); ++i)
       sums.add(grids[at(f)][at(i)],

@@ -1,5 +1,6 @@
 // Checkers of certificates on regular and irregular Catmull-Clark surfaces. They refine the mesh by the running word again, walk
 // the paths and check signs; they search for nothing.
+#include "operators/interrupt.h"
 #include "proofs/checkers.h"
 #include "proofs/regularity/certificate_json.h"
 #include "proofs/regularity/covered_surface.h"
@@ -28,7 +29,7 @@ void check_cover(const std::vector<std::string>& paths) {
 }
 
 void check_patch(const BicubicNet& net, const Json& leaves, bool planar, StopFlag stop) {
-  if (stop != nullptr && stop->load()) throw Error(ErrorKind::interrupted, "E_INTERRUPTED", "interrupted");
+  throw_if_stopped(stop);
   require(leaves.is_array() && !leaves.empty() && leaves.size() <= 1'000'000, "a patch must have a list of parts");
   std::vector<std::string> paths;
   for (const Json& json : leaves) {

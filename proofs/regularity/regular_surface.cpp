@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "operators/interrupt.h"
 #include "proofs/regularity/adaptive.h"
 #include "proofs/regularity/certificate_json.h"
 #include "proofs/regularity/covered_surface.h"
@@ -160,8 +161,7 @@ class Prover {
   bool prove_rings() {
     Json levels = Json::array();
     for (const int v : covered_->rings) {
-      if (options_.limits.stop != nullptr && options_.limits.stop->load())
-        throw Error(ErrorKind::interrupted, "E_INTERRUPTED", "interrupted", "");
+      throw_if_stopped(options_.limits.stop);
       if (!prove_ring(v)) return false;
       levels.push_back(Json{{"vertex", v}, {"level", rings_.back()["level"]}});
     }

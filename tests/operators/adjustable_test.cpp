@@ -5,14 +5,13 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
-#include <fstream>
-#include <nlohmann/json.hpp>
 #include <numbers>
 
 #include "operators/atoms.h"
 #include "operators/limit.h"
 #include "operators/matrix.h"
 #include "operators/schemes.h"
+#include "tests/operators/fill_golden.h"
 #include "tests/oracle/adjustable.h"
 #include "tests/oracle/inputs.h"
 #include "tests/oracle/refusal.h"
@@ -21,13 +20,6 @@ using namespace udcp;
 using namespace udcp::oracle;
 
 namespace {
-
-using Json = nlohmann::json;
-
-const Json& golden() {
-  static const Json data = Json::parse(std::ifstream(UDCP_TEST_DATA "/g2-filling.json"));
-  return data;
-}
 
 Rational exact(const Json& text) { return Rational::parse(text.get<std::string>()); }
 Points<Rational> rows(const Json& list) {

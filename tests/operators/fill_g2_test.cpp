@@ -6,12 +6,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <nlohmann/json.hpp>
 
 #include "operators/matrix.h"
 #include "operators/schemes.h"
 #include "operators/shapes.h"
+#include "tests/operators/fill_golden.h"
 #include "tests/oracle/inputs.h"
 #include "tests/oracle/nets.h"
 
@@ -20,13 +19,7 @@ using namespace udcp::oracle;
 
 namespace {
 
-using Json = nlohmann::json;
 using Vector = Eigen::Vector3d;
-
-const Json& golden() {
-  static const Json data = Json::parse(std::ifstream(UDCP_TEST_DATA "/g2-filling.json"));
-  return data;
-}
 
 std::size_t at(int k) { return Mesh::i(k); }
 

@@ -4,11 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <limits>
-#include <nlohmann/json.hpp>
 
 #include "operators/methods/fill_g2.h"
+#include "tests/operators/fill_golden.h"
 #include "tests/oracle/nets.h"
 #include "tests/oracle/obj_lines.h"
 #include "tests/oracle/refusal.h"
@@ -17,13 +16,6 @@ using namespace udcp;
 using namespace udcp::oracle;
 
 namespace {
-
-using Json = nlohmann::json;
-
-const Json& golden() {
-  static const Json data = Json::parse(std::ifstream(UDCP_TEST_DATA "/g2-filling.json"));
-  return data;
-}
 
 PatchSurface fill_net(const Points<double>& net, int n) {
   Surface<double> surface = ring_mesh(n, 3);

@@ -1,7 +1,7 @@
-// The classical schemes as words built in C++, for tests below the language.
+// Words built in C++, for tests below the language; the classical ones by their names.
 #pragma once
 
-#include "operators/word.h"
+#include "operators/schemes.h"
 
 namespace udcp::oracle {
 
@@ -25,24 +25,7 @@ inline Word word(const std::string& atoms, KernelPtr f = nullptr, KernelPtr omeg
   return result;
 }
 
-inline Word catmull_clark() {
-  Word result = word("UCP", nullptr, constant(Rational(0)),
-                     formula([](const auto& c) { return decltype(c.alpha)(c.valence - 4) / c.valence; }, {true, false, false}));
-  result.tail[1].ngon = Ngon::classic;
-  return result;
-}
-
-inline Word loop() {
-  Word result = word("UCP", nullptr, constant(Rational(0)),
-                     formula(
-                         [](const auto& c) {
-                           using Q = std::decay_t<decltype(c.alpha)>;
-                           const Q third = Q(3) / 8 + cos(Q::pi(Rational(2)) / c.valence) / 4;
-                           return 1 - Q(8) / 3 * (Q(5) / 8 - third * third);
-                         },
-                         {true, false, false}));
-  result.triangles = true;
-  return result;
-}
+using schemes::catmull_clark;
+using schemes::loop;
 
 }  // namespace udcp::oracle

@@ -1,4 +1,4 @@
-// The words of the tests on extraordinary points: Catmull-Clark, Loop and the families of the expected values, by name.
+// The words of the tests on extraordinary points, by the names of the expected values.
 #pragma once
 
 #include <fstream>
@@ -6,27 +6,13 @@
 #include <nlohmann/json.hpp>
 
 #include "operators/number.h"
+#include "operators/schemes.h"
 #include "tests/oracle/words.h"
 
 namespace udcp::oracle {
 
-/// delta = (N - 4)/N
-inline Word catmull_clark() {
-  return scheme("UCP", value(1), value(0),
-                formula([](const auto& c) { return ratio(c.valence - 4, c.valence); }, {true, false, false}));
-}
-
-/// delta = 1 - 8/3 (5/8 - (3/8 + cos(2 pi/N)/4)^2)
-inline Word loop() {
-  const KernelPtr delta = formula(
-      [](const auto& c) {
-        using Q = std::decay_t<decltype(c.alpha)>;
-        const Q third = Q(ratio(3, 8)) + cos(Q::pi(ratio(2, c.valence))) / Q(4);
-        return Q(1) - Q(ratio(8, 3)) * (Q(ratio(5, 8)) - third * third);
-      },
-      {true, false, false});
-  return on_triangles(scheme("UCP", value(1), value(0), delta));
-}
+using schemes::catmull_clark;
+using schemes::loop;
 
 /// By the names of the expected values.
 inline std::map<std::string, Word> surface_words() {

@@ -2,7 +2,7 @@
 // and of the whole surface.
 #include <benchmark/benchmark.h>
 
-#include "operators/methods/fill_g2.h"
+#include "operators/methods/filling/fill_g2.h"
 #include "tests/oracle/nets.h"
 
 namespace {

@@ -5,8 +5,8 @@
 
 #include <cmath>
 
-#include "operators/methods/interpolation.h"
-#include "operators/methods/point_system.h"
+#include "operators/methods/interpolation/interpolation.h"
+#include "operators/methods/interpolation/point_system.h"
 #include "operators/shapes.h"
 
 namespace {

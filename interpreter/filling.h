@@ -2,7 +2,7 @@
 #pragma once
 
 #include "interpreter/arguments.h"
-#include "operators/methods/fill_g2.h"
+#include "operators/methods/filling/fill_g2.h"
 
 namespace udcp {
 

@@ -3,7 +3,7 @@
 
 #include "interpreter/apply.h"
 #include "interpreter/arguments.h"
-#include "operators/methods/interpolation.h"
+#include "operators/methods/interpolation/interpolation.h"
 
 namespace udcp {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "operators/methods/bezier_patch.h"
+#include "operators/methods/filling/bezier_patch.h"
 
 namespace udcp {
 

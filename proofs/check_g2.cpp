@@ -1,6 +1,6 @@
 // Checkers of fills: every exact computation once more, from the word and the functions that make the running masks.
 #include "operators/interrupt.h"
-#include "operators/methods/fill_mask.h"
+#include "operators/methods/filling/fill_mask.h"
 #include "proofs/checkers.h"
 #include "proofs/fill_facts.h"
 #include "proofs/spectrum.h"

@@ -3,8 +3,8 @@
 #include <set>
 
 #include "operators/interrupt.h"
-#include "operators/methods/interpolate_points.h"
-#include "operators/methods/quad_fans.h"
+#include "operators/methods/interpolation/interpolate_points.h"
+#include "operators/methods/interpolation/quad_fans.h"
 #include "operators/schemes.h"
 #include "proofs/checkers.h"
 #include "proofs/interpolation_facts.h"

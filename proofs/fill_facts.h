@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "operators/methods/fill_system.h"
+#include "operators/methods/filling/fill_system.h"
 #include "proofs/certificate.h"
 #include "proofs/polynomial.h"
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <set>
 
-#include "operators/methods/point_system.h"
+#include "operators/methods/interpolation/point_system.h"
 #include "operators/schemes.h"
 #include "proofs/budget.h"
 #include "proofs/surface_c1.h"

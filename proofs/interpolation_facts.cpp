@@ -1,9 +1,9 @@
 // Exact algebra of interpolation: everything comes from run() in rationals (or in formulas of lambda), tangents in Q(c)[A_n].
 #include "proofs/interpolation_facts.h"
 
-#include "operators/methods/interpolate_points.h"
-#include "operators/methods/limit_masks.h"
-#include "operators/methods/quad_fans.h"
+#include "operators/methods/interpolation/interpolate_points.h"
+#include "operators/methods/interpolation/limit_masks.h"
+#include "operators/methods/interpolation/quad_fans.h"
 #include "operators/schemes.h"
 
 namespace udcp {

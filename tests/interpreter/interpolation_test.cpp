@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "operators/methods/interpolation.h"
+#include "operators/methods/interpolation/interpolation.h"
 #include "operators/schemes.h"
 #include "tests/interpreter/room.h"
 

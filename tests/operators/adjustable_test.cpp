@@ -1,6 +1,6 @@
 // Adjustable Catmull-Clark: the word against its definition and reference values, its closed forms against the word, and hybrid
 // patches.
-#include "operators/methods/adjustable.h"
+#include "operators/methods/filling/adjustable.h"
 
 #include <doctest/doctest.h>
 

@@ -1,6 +1,6 @@
 // Patches: values and derivatives against de Casteljau, curvature against known surfaces, and whole meshes of regular patches
 // against the limit surface and against themselves after a step.
-#include "operators/methods/bezier_patch.h"
+#include "operators/methods/filling/bezier_patch.h"
 
 #include <doctest/doctest.h>
 
@@ -9,7 +9,7 @@
 
 #include "operators/limit.h"
 #include "operators/matrix.h"
-#include "operators/methods/patch_surface.h"
+#include "operators/methods/filling/patch_surface.h"
 #include "operators/schemes.h"
 #include "tests/oracle/inputs.h"
 #include "tests/oracle/refusal.h"

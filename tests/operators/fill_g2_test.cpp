@@ -1,6 +1,6 @@
 // The G2 fill: its mask against reference values, the conditions of the joins from the patches' own derivatives, shapes against
 // plain Catmull-Clark, and meshes.
-#include "operators/methods/fill_g2.h"
+#include "operators/methods/filling/fill_g2.h"
 
 #include <doctest/doctest.h>
 

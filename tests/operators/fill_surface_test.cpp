@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "operators/methods/fill_g2.h"
+#include "operators/methods/filling/fill_g2.h"
 #include "tests/operators/fill_golden.h"
 #include "tests/oracle/nets.h"
 #include "tests/oracle/obj_lines.h"

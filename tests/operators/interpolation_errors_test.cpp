@@ -3,8 +3,8 @@
 
 #include <limits>
 
-#include "operators/methods/interpolation.h"
-#include "operators/methods/mesh_system.h"
+#include "operators/methods/interpolation/interpolation.h"
+#include "operators/methods/interpolation/mesh_system.h"
 #include "operators/shapes.h"
 #include "tests/oracle/inputs.h"
 #include "tests/oracle/refusal.h"

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "operators/methods/interpolation.h"
+#include "operators/methods/interpolation/interpolation.h"
 
 namespace udcp::oracle {
 

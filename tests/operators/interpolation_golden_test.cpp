@@ -2,8 +2,8 @@
 #include <doctest/doctest.h>
 
 #include "operators/limit.h"
-#include "operators/methods/point_system.h"
-#include "operators/methods/ring_tangents.h"
+#include "operators/methods/interpolation/point_system.h"
+#include "operators/methods/interpolation/ring_tangents.h"
 #include "operators/schemes.h"
 #include "operators/shapes.h"
 #include "tests/operators/interpolation_golden.h"

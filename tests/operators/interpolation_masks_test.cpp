@@ -5,8 +5,8 @@
 #include <Eigen/Geometry>
 
 #include "operators/limit.h"
-#include "operators/methods/interpolate_points.h"
-#include "operators/methods/ring_tangents.h"
+#include "operators/methods/interpolation/interpolate_points.h"
+#include "operators/methods/interpolation/ring_tangents.h"
 #include "operators/schemes.h"
 #include "tests/oracle/inputs.h"
 

@@ -4,7 +4,7 @@
 #include <Eigen/Geometry>
 
 #include "operators/limit.h"
-#include "operators/methods/ring_tangents.h"
+#include "operators/methods/interpolation/ring_tangents.h"
 #include "operators/schemes.h"
 #include "tests/operators/interpolation_golden.h"
 #include "tests/oracle/inputs.h"

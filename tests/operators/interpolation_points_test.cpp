@@ -3,9 +3,9 @@
 
 #include <Eigen/Eigenvalues>
 
-#include "operators/methods/mesh_system.h"
-#include "operators/methods/point_system.h"
-#include "operators/methods/quad_fans.h"
+#include "operators/methods/interpolation/mesh_system.h"
+#include "operators/methods/interpolation/point_system.h"
+#include "operators/methods/interpolation/quad_fans.h"
 #include "operators/schemes.h"
 #include "tests/operators/interpolation_golden.h"
 #include "tests/oracle/inputs.h"

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "operators/matrix.h"
-#include "operators/methods/patch_surface.h"
+#include "operators/methods/filling/patch_surface.h"
 #include "operators/schemes.h"
 #include "tests/oracle/inputs.h"
 

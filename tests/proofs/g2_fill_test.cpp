@@ -6,7 +6,7 @@
 #include <cmath>
 #include <fstream>
 
-#include "operators/methods/fill_mask.h"
+#include "operators/methods/filling/fill_mask.h"
 #include "operators/schemes.h"
 #include "tests/oracle/words.h"
 

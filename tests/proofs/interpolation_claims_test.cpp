@@ -3,7 +3,7 @@
 
 #include <doctest/doctest.h>
 
-#include "operators/methods/interpolation.h"
+#include "operators/methods/interpolation/interpolation.h"
 #include "operators/schemes.h"
 #include "operators/shapes.h"
 #include "proofs/checkers.h"

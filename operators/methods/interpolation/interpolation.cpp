@@ -1,12 +1,12 @@
 // Puts the steps together and says what happened.
-#include "operators/methods/interpolation.h"
+#include "operators/methods/interpolation/interpolation.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
 #include "operators/interrupt.h"
-#include "operators/methods/mesh_system.h"
+#include "operators/methods/interpolation/mesh_system.h"
 #include "operators/schemes.h"
 
 namespace udcp {

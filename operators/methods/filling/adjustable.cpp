@@ -1,5 +1,5 @@
 // Adjustable Catmull-Clark. The refinement rules are those of the word; closed forms here are what the word's eigenvectors are.
-#include "operators/methods/adjustable.h"
+#include "operators/methods/filling/adjustable.h"
 
 #include <cmath>
 #include <numbers>

@@ -1,10 +1,10 @@
 // Nets of regular faces, and how patches meet.
-#include "operators/methods/patch_surface.h"
+#include "operators/methods/filling/patch_surface.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 
-#include "operators/methods/fill_system.h"
+#include "operators/methods/filling/fill_system.h"
 
 namespace udcp {
 namespace {

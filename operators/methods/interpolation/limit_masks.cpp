@@ -1,10 +1,10 @@
 // Three unit vectors are enough per valence, as the ring of quads is its own image under a turn. The frequency 0 of the response
 // gives the limit point exactly, frequency 1 (a real matrix of two rows) the tangents.
-#include "operators/methods/limit_masks.h"
+#include "operators/methods/interpolation/limit_masks.h"
 
 #include <cmath>
 
-#include "operators/methods/quad_fans.h"
+#include "operators/methods/interpolation/quad_fans.h"
 #include "operators/run.h"
 #include "operators/schemes.h"
 

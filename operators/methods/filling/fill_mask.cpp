@@ -1,6 +1,6 @@
 // The frequency method: a cyclic shift of the patches is a factor w^f, so that 25 n equations fall apart into n small systems,
 // which are rank deficient but consistent. SVD gives a solution and the freedom; the fairness decides the freedom.
-#include "operators/methods/fill_mask.h"
+#include "operators/methods/filling/fill_mask.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/SVD>

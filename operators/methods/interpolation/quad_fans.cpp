@@ -1,5 +1,5 @@
 // Walks round a vertex by half-edges.
-#include "operators/methods/quad_fans.h"
+#include "operators/methods/interpolation/quad_fans.h"
 
 namespace udcp {
 

@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
-#include "operators/methods/adjustable.h"
-#include "operators/methods/bezier_patch.h"
+#include "operators/methods/filling/adjustable.h"
+#include "operators/methods/filling/bezier_patch.h"
 #include "operators/surface.h"
 
 namespace udcp {

@@ -1,5 +1,5 @@
 // One pass over the vertices; rings that do not meet need no order.
-#include "operators/methods/interpolate_normals.h"
+#include "operators/methods/interpolation/interpolate_normals.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -8,8 +8,8 @@
 #include <limits>
 #include <optional>
 
-#include "operators/methods/interpolate_points.h"
-#include "operators/methods/ring_tangents.h"
+#include "operators/methods/interpolation/interpolate_points.h"
+#include "operators/methods/interpolation/ring_tangents.h"
 
 namespace udcp {
 namespace {

@@ -1,5 +1,5 @@
 // The conditions of the fill, and the fill of a mesh.
-#include "operators/methods/fill_g2.h"
+#include "operators/methods/filling/fill_g2.h"
 
 #include <algorithm>
 #include <cmath>

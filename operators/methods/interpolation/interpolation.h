@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "operators/methods/interpolation_study.h"
+#include "operators/methods/interpolation/interpolation_study.h"
 
 namespace udcp {
 

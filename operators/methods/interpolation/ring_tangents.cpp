@@ -1,5 +1,5 @@
 // Trigonometric weights with the amplitudes of the limit masks.
-#include "operators/methods/ring_tangents.h"
+#include "operators/methods/interpolation/ring_tangents.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

@@ -1,5 +1,5 @@
 // Bernstein sums, and differential geometry from two derivatives.
-#include "operators/methods/bezier_patch.h"
+#include "operators/methods/filling/bezier_patch.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

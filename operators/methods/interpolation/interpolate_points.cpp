@@ -1,15 +1,15 @@
 // The modified step, its limits, and the system that makes them the given points.
-#include "operators/methods/interpolate_points.h"
+#include "operators/methods/interpolation/interpolate_points.h"
 
 #include <algorithm>
 #include <cmath>
 #include <string>
 
 #include "operators/interrupt.h"
-#include "operators/methods/limit_masks.h"
-#include "operators/methods/mesh_system.h"
-#include "operators/methods/point_system.h"
-#include "operators/methods/quad_fans.h"
+#include "operators/methods/interpolation/limit_masks.h"
+#include "operators/methods/interpolation/mesh_system.h"
+#include "operators/methods/interpolation/point_system.h"
+#include "operators/methods/interpolation/quad_fans.h"
 #include "operators/schemes.h"
 
 namespace udcp {

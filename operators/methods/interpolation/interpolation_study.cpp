@@ -1,13 +1,13 @@
 // Sweeps and the shortest correction on the first refinement, where the rings of neighbours share points.
-#include "operators/methods/interpolation_study.h"
+#include "operators/methods/interpolation/interpolation_study.h"
 
 #include <algorithm>
 #include <cmath>
 #include <string>
 
 #include "operators/interrupt.h"
-#include "operators/methods/limit_masks.h"
-#include "operators/methods/mesh_system.h"
+#include "operators/methods/interpolation/limit_masks.h"
+#include "operators/methods/interpolation/mesh_system.h"
 #include "operators/methods/sparse_solvers.h"
 
 namespace udcp {

@@ -2,8 +2,8 @@
 // bidegree 7 around every other vertex. Here are the conditions under which that works, and the application of the masks.
 #pragma once
 
-#include "operators/methods/fill_mask.h"
-#include "operators/methods/patch_surface.h"
+#include "operators/methods/filling/fill_mask.h"
+#include "operators/methods/filling/patch_surface.h"
 
 namespace udcp {
 

@@ -5,8 +5,8 @@
 #include <map>
 #include <vector>
 
-#include "operators/methods/limit_masks.h"
-#include "operators/methods/quad_fans.h"
+#include "operators/methods/interpolation/limit_masks.h"
+#include "operators/methods/interpolation/quad_fans.h"
 #include "operators/number.h"
 
 namespace udcp {

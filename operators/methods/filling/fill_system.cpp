@@ -1,5 +1,5 @@
 // Numbering and equations of the fill. Polynomials here are plain lists of coefficients, lowest first.
-#include "operators/methods/fill_system.h"
+#include "operators/methods/filling/fill_system.h"
 
 #include <array>
 

@@ -1,5 +1,5 @@
 // Cholesky, conjugate gradients and exact elimination for one shape of matrix.
-#include "operators/methods/mesh_system.h"
+#include "operators/methods/interpolation/mesh_system.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // A patch surface as a quad mesh.
 #include "operators/interrupt.h"
-#include "operators/methods/patch_surface.h"
+#include "operators/methods/filling/patch_surface.h"
 
 namespace udcp {
 namespace {

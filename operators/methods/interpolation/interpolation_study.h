@@ -4,9 +4,9 @@
 
 #include <vector>
 
-#include "operators/methods/interpolate_normals.h"
-#include "operators/methods/interpolate_points.h"
-#include "operators/methods/ring_tangents.h"
+#include "operators/methods/interpolation/interpolate_normals.h"
+#include "operators/methods/interpolation/interpolate_points.h"
+#include "operators/methods/interpolation/ring_tangents.h"
 
 namespace udcp {
 

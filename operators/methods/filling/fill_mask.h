@@ -6,7 +6,7 @@
 #include <mutex>
 #include <vector>
 
-#include "operators/methods/fill_system.h"
+#include "operators/methods/filling/fill_system.h"
 
 namespace udcp {
 

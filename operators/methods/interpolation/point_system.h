@@ -2,7 +2,7 @@
 // from the running words.
 #pragma once
 
-#include "operators/methods/interpolate_points.h"
+#include "operators/methods/interpolation/interpolate_points.h"
 
 namespace udcp {
 

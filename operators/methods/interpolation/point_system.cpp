@@ -2,12 +2,12 @@
 // valence: divided by the weight of the edges the rows are symmetric. Over a face of m corners x the terms without the diagonal
 // are sum x_i x_(i+1) + (3/m) (sum x_i)^2 >= -sum x_i^2; so the eigenvalues inside are at least n(20 lambda - 7)/(13(n + 5)), as
 // for quads, and along the boundary at least (32 lambda - 6)/39.
-#include "operators/methods/point_system.h"
+#include "operators/methods/interpolation/point_system.h"
 
 #include <map>
 
-#include "operators/methods/limit_masks.h"
-#include "operators/methods/mesh_system.h"
+#include "operators/methods/interpolation/limit_masks.h"
+#include "operators/methods/interpolation/mesh_system.h"
 #include "operators/schemes.h"
 
 namespace udcp {

@@ -10,7 +10,7 @@ std::span<const Builtin> builtins() {
     std::vector<Builtin> all;
     for (const auto& part :
          {builtins_geometry(), builtins_shapes(), builtins_words(), builtins_files(), builtins_math(), builtins_symbols(),
-          builtins_regularity(), builtins_interpolation(), builtins_filling(), builtins_proofs()})
+          builtins_regularity(), builtins_interpolation(), builtins_filling(), builtins_offset(), builtins_proofs()})
       all.insert(all.end(), part.begin(), part.end());
     std::sort(all.begin(), all.end(), [](const Builtin& a, const Builtin& b) { return a.name < b.name; });
     return all;

@@ -29,7 +29,7 @@ struct Builtin {
   int least = 0, most = 0;     // positional arguments
   std::vector<std::string_view> named;
   Value (*call)(CallContext&, const Arguments&);
-  /// Where set, a call gets its arguments unevaluated: counts, which must not refine, and the engines that only check names.
+  /// Where set, a call gets its arguments unevaluated: counts, which must not refine.
   Value (*special)(CallContext&, const grammar::Call&) = nullptr;
 };
 
@@ -46,6 +46,7 @@ std::vector<Builtin> builtins_symbols();        // sum_rules, reproduction, limi
 std::vector<Builtin> builtins_regularity();     // differences, cones, jacobian
 std::vector<Builtin> builtins_interpolation();  // interpolate, interpolation_report, interpolation_figure, its claims
 std::vector<Builtin> builtins_filling();        // fill_g2, tessellate, joins, curvature, compare_fill, hybrid, g2
-std::vector<Builtin> builtins_proofs();         // claims, eigenvalues, regions; engines of later versions: E_NOT_AVAILABLE
+std::vector<Builtin> builtins_offset();         // offset, offset_report, offset_error, self_intersections, its claims
+std::vector<Builtin> builtins_proofs();         // claims, eigenvalues, regions
 
 }  // namespace udcp

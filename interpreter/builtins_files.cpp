@@ -9,6 +9,7 @@
 #include "interpreter/colour_bar.h"
 #include "interpreter/filling.h"
 #include "interpreter/formula.h"
+#include "interpreter/offset_values.h"
 #include "interpreter/report.h"
 
 namespace udcp {
@@ -66,7 +67,8 @@ SvgMeshOptions picture_options(const Arguments& a, const MeshValue* mesh = nullp
   if (a.find("title")) options.title = need_text(a, by_name, "title");
   if (a.find("colour")) options.colour_attribute = need_text(a, by_name, "colour");
   if (mesh && options.colour_attribute.empty()) options.colour_attribute = mesh->colour;
-  options.zero_matters = options.legend = mesh && !mesh->colour.empty() && options.colour_attribute == mesh->colour;
+  options.legend = mesh && !mesh->colour.empty() && options.colour_attribute == mesh->colour;
+  options.zero_matters = options.legend && mesh->zero_matters;
   if (options.legend) options.background = "#ffffff";
   if (options.legend && is_flat(*mesh)) options.view = {0, 0, 1};
   options.edges = flag_or(a, by_name, "edges", !options.legend);  // they would hide the colours of a fine mesh
@@ -124,18 +126,19 @@ void save_mesh(CallContext& context, const MeshValue& mesh, const std::filesyste
     (*context.animation)[path].push_back(as_double(mesh));
     return;
   }
+  const bool in_scene = extension_of(path) == ".glb" || extension_of(path) == ".gltf";
+  if (mesh.control && in_scene) return save_mesh(context, limit_surface(mesh, context), path, a);
   SaveOptions options;
   options.word = mesh.word;
   const Surface<double> surface = as_double(mesh);
   auto normals = mesh.normals;
-  if (!normals && mesh.scheme && (extension_of(path) == ".glb" || extension_of(path) == ".gltf"))
+  if (!normals && mesh.scheme && in_scene)
     normals = limit_normals(*mesh.scheme, *mesh.scheme->rounds, surface, run_control(context, "limit normals"));
   options.normals = normals.get();
   if (a.find("colour")) options.colour_attribute = need_text(a, a.positional.size(), "colour");
   if (options.colour_attribute.empty()) options.colour_attribute = mesh.colour;
-  options.zero_matters = !mesh.colour.empty() && options.colour_attribute == mesh.colour;
+  options.zero_matters = mesh.zero_matters && options.colour_attribute == mesh.colour;
   if (a.find("format")) options.format = need_text(a, a.positional.size(), "format");
-  const bool in_scene = extension_of(path) == ".glb" || extension_of(path) == ".gltf";
   if (in_scene && options.format.empty() && !mesh.colour.empty() && options.colour_attribute == mesh.colour)
     return save_with_legend(surface, path, options);
   save(surface, path, options);

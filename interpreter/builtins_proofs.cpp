@@ -1,4 +1,4 @@
-// Claims as functions (a bare c1(w) decides too), what they measure, and the engines of later versions.
+// Claims as functions (a bare c1(w) decides too), what they measure.
 #include "interpreter/builtins.h"
 
 #include "interpreter/analysis.h"
@@ -6,19 +6,6 @@
 #include "interpreter/statements.h"
 
 namespace udcp {
-
-namespace {
-
-Value later(CallContext& context, const grammar::Call& call) {
-  for (const grammar::Argument& argument : call.arguments) check_names(*argument.value, context);
-  throw not_available(call.name);
-}
-
-Builtin engine(std::string_view name, std::string_view signature, std::string_view help) {
-  return {name, signature, help, 0, 0, {}, nullptr, later};
-}
-
-}  // namespace
 
 std::vector<Builtin> builtins_proofs() {
   return {
@@ -84,9 +71,6 @@ std::vector<Builtin> builtins_proofs() {
        2,
        {"word", "mode", "test", "depth", "except", "steps", "corners"},
        claim_regular},
-      engine("offset", "offset(mesh, distance, tolerance)", "A control mesh whose limit is an offset surface."),
-      engine("offset_error", "offset_error(mesh, mesh)", "How far an offset is from its distance."),
-      engine("self_intersections", "self_intersections(mesh)", "Pairs of faces that meet where they should not."),
   };
 }
 

@@ -270,6 +270,7 @@ Value show_jacobian(CallContext& context, const Arguments& a) {
   MeshValue result{std::move(made.surface), "limit of catmull_clark",
                    std::make_shared<const Points<double>>(std::move(made.normals))};
   result.colour = "jacobian";
+  result.zero_matters = true;
   return Value{std::move(result)};
 }
 

@@ -138,8 +138,6 @@ constexpr CodeEntry table[] = {
     {"E_TEXT", "E20", "a mistake inside a text", "\"{expression}\" in a text is replaced by its value; {{ and }} are braces."},
     {"E_ANIMATE", "E21", "an animation that cannot run",
      "animate d in 0 .. 1 frames 60 { ... } runs through a range of numbers, without step, and not inside another one."},
-    {"E_NOT_AVAILABLE", "E22", "not available in this version",
-     "The language has this sentence, but this version of udcp has no engine for it."},
     {"E_DOMAIN", "E24", "a set that is no domain",
      "After `for` stand N in 3 .. 20, names with intervals such as (0, oo) or [0, 1], and names with integer ranges or lists. "
      "Ends are "
@@ -231,6 +229,22 @@ constexpr CodeEntry table[] = {
      "another c "
      "come\n"
      "first: after a step the surface is taken with c = 1/2."},
+    {"E_OFFSET_MESH", "G30", "a mesh that is no offset of another",
+     "Both meshes have the same faces, or the second those of the first after some Loop steps, as offset makes them."},
+    {"E_CORNER_INSIDE", "G31", "a corner inside a mesh", "Corners of the control mesh of a Loop surface lie on its boundary."},
+    {"E_BOUNDARY_VALENCE", "G32", "a boundary vertex without a limit normal",
+     "Normals of a Loop surface at its boundary exist for vertices with at least two faces, and at corners."},
+    {"E_ZERO_NORMAL", "G33", "a surface without a normal",
+     "Both tangents are parallel at the place named, so there is no direction to go. Move the control points around it."},
+    {"E_PARAMETER_RANGE", "G34", "parameters outside a face",
+     "A point of a face has barycentric parameters u, v >= 0 with u + v <= 1, and a face number of the mesh."},
+    {"E_NEEDS_REFINEMENT", "G35", "a boundary too irregular for patches",
+     "Bounds on patches need boundary vertices with three faces. Refine with loop^1, or use sampled errors."},
+    {"E_NOT_CONTRACTIVE", "G36", "an iteration that need not converge",
+     "The local systems of this iteration do not contract on the mesh. solver = direct takes every mesh."},
+    {"E_TOLERANCE", "G37", "a tolerance that is none", "A tolerance is a positive finite number, in the unit of the points."},
+    {"E_OPTION", "G38", "an option out of range", "The message names the option and its range."},
+    {"E_FIT_WEIGHT", "G39", "a weight of a fit out of range", "The weight of the slip is positive and at most 1."},
 
     // F: files
     {"E_FILE_OPEN", "F01", "a file that cannot be opened", "The file is missing, is a folder, or may not be read or written."},
@@ -286,6 +300,15 @@ constexpr CodeEntry table[] = {
      "Words run on symbols for up to 6 parameters, with at most 2000 terms and degree 200 in a numerator or denominator."},
     {"E_SINGULAR", "L14", "a linear system that is nearly singular",
      "Its solution cannot be told from others in the precision at hand. The message says what to change."},
+    {"E_OFFSET_LEVELS", "L15", "a tolerance that was not met",
+     "The message says what was reached, and where the error is largest. Allow more levels, or a larger tolerance."},
+    {"E_NO_CONVERGENCE", "L16", "an iteration that does not converge",
+     "The residual grew or stopped falling. solver = direct or cg take every positive definite system."},
+    {"E_MAX_HITS", "L17", "too many pairs of faces that meet",
+     "The surface meets itself nearly everywhere; take a smaller distance."},
+    {"E_MAX_PATCHES", "L18", "a bound that needs too many patches", "Allow a larger bound, or refine the mesh first."},
+    {"E_NO_CONE", "L19", "normals that fill no cone",
+     "The normals of a face turn too far for a certificate. Refine the mesh first."},
 
     // Others
     {"E_INTERRUPTED", "I01", "interrupted", "Ctrl-C ended the computation. No file was left half-written."},

@@ -345,7 +345,8 @@ void warn(const CallContext& context, grammar::Span span, const std::string& mes
 }
 
 Value evaluate_argument(const grammar::Argument& a, CallContext& context, const Builtin* callee) {
-  static const std::set<std::string> choices = {"mode", "test", "except", "corners", "step1", "step2", "method", "order"};
+  static const std::set<std::string> choices = {"mode",   "test",  "except", "corners", "step1", "step2",
+                                                "method", "order", "solver", "measure", "rule"};
   const auto* name = std::get_if<grammar::Name>(&a.value->node);
   const bool is_choice = callee != nullptr && choices.contains(a.name);
   if (name && is_symbol(name->name) && (is_choice || !context.scope->find(name->name))) return Value{TextValue{name->name}};
@@ -354,10 +355,11 @@ Value evaluate_argument(const grammar::Argument& a, CallContext& context, const 
 
 bool is_symbol(const std::string& name) {
   static const std::set<std::string> symbols = {
-      "lat",    "lon",       "both",    "off",      "x",       "y",        "z",       "one_face", "all",
-      "none",   "corner",    "sharp",   "interior", "bspline", "boundary", "nothing", "tagged",   "T1",
-      "T2",     "T3",        "T4",      "global",   "local",   "plain",    "auto",    "free",     "tied",
-      "rotate", "two_level", "literal", "kkt",      "jacobi",  "gauss",    "average", "gaussian", "mean"};
+      "lat",          "lon",        "both",     "off",     "x",        "y",       "z",         "one_face", "all",       "none",
+      "corner",       "sharp",      "interior", "bspline", "boundary", "nothing", "tagged",    "T1",       "T2",        "T3",
+      "T4",           "global",     "local",    "plain",   "auto",     "free",    "tied",      "rotate",   "two_level", "literal",
+      "kkt",          "jacobi",     "gauss",    "average", "gaussian", "mean",    "automatic", "direct",   "edge",      "star",
+      "gauss_seidel", "richardson", "cg",       "eps",     "E",        "En",      "Et",        "paper",    "pair"};
   return symbols.contains(name);
 }
 

@@ -126,6 +126,7 @@ Value tessellated(const PatchSurface& surface, int n, const std::string& colour,
   Tessellation made = tessellate(surface, n, run_control(context, "tessellation"));
   MeshValue mesh{std::move(made.surface), "", std::make_shared<const Points<double>>(std::move(made.normals))};
   mesh.colour = colour;
+  mesh.zero_matters = true;
   return Value{std::move(mesh)};
 }
 

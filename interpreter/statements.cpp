@@ -68,11 +68,6 @@ bool ends_in_step(const grammar::Expr& e) {
 
 }  // namespace
 
-Error not_available(const std::string& what) {
-  return Error(ErrorKind::word, "E_NOT_AVAILABLE", what + " is not available in this version",
-               "this version defines and applies words, and computes masks, matrices, limits and counts");
-}
-
 void Runner::run(const SourcePtr& source, const std::filesystem::path& folder,
                  const std::function<void(const Statement&)>& done) {
   const SourcePtr source_before = std::exchange(context_.source, source);

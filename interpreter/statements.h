@@ -48,7 +48,4 @@ class Runner {
   std::vector<std::filesystem::path> files_;  // being used right now, outermost first
 };
 
-/// "x is not available in this version"
-Error not_available(const std::string& what);
-
 }  // namespace udcp

@@ -67,7 +67,9 @@ struct MeshValue {
   std::string word;                               // what made it, for the extras of files
   std::shared_ptr<const Points<double>> normals;  // limit normals where a limit made it
   std::shared_ptr<const WordValue> scheme{};      // the scheme^n that made it; a GLB gets the limit normals after those rounds
-  std::string colour{};                           // an attribute that pictures show unless told otherwise; its zero matters
+  std::string colour{};                           // an attribute that pictures show unless told otherwise
+  bool zero_matters{};                            // of that attribute: values that are not positive are shown in red
+  bool control{};                                 // a control mesh of a Loop surface: GLB files show the surface
   std::string file{};                             // where the points were read; their decimals are in there
 };
 

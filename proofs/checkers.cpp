@@ -43,6 +43,10 @@ std::span<const Checker> checkers() {
       Checker{"interpolation-checkerboard", check_interpolation_checkerboard},
       Checker{"g2-fill", check_g2_fill},
       Checker{"g2-print", check_g2_print},
+      Checker{"offset-contraction", check_offset_contraction},
+      Checker{"offset-definite", check_offset_definite},
+      Checker{"offset-error", check_offset_error},
+      Checker{"embedded-surface", check_embedded_surface},
   };
   return table;
 }

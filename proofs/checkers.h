@@ -57,4 +57,10 @@ std::string check_interpolation_checkerboard(const Json& data,
 std::string check_g2_fill(const Json& data, StopFlag stop);   // "g2-fill": the G2 fill of a valence exists and joins
 std::string check_g2_print(const Json& data, StopFlag stop);  // "g2-print": with a formula as printed there is none
 
+// check_offset.cpp
+std::string check_offset_contraction(const Json& data, StopFlag stop);  // "offset-contraction": the edge iteration converges
+std::string check_offset_definite(const Json& data, StopFlag stop);     // "offset-definite": the system is positive definite
+std::string check_offset_error(const Json& data, StopFlag stop);        // "offset-error": an offset is within a bound
+std::string check_embedded_surface(const Json& data, StopFlag stop);    // "embedded-surface": a Loop surface is embedded
+
 }  // namespace udcp

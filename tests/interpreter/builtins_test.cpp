@@ -186,10 +186,4 @@ TEST_SUITE("interpreter") {
     CHECK(holds("approx(limit(polygon(4), cubic), polygon(4) |> scale(2/3), 1/10^12)"));
     CHECK(error_of("limit(cube(), (UCP))").code == "E_NOT_A_SCHEME");
   }
-
-  TEST_CASE("engines of later versions check names and say so") {
-    CHECK(error_of("offset(octahedron(), distance = 1)").code == "E_NOT_AVAILABLE");
-    CHECK(error_of("offset(octahedro(), distance = 1)").code == "E_NAME");
-    CHECK(std::string(error_of("offset(cube(), 1)").what()) == "offset is not available in this version");
-  }
 }

@@ -106,7 +106,7 @@ void run_program(const Program& program) {
   CHECK(error == program.error);
   CHECK((session.outcome() == Outcome::refuted) == program.refuted);
   CAPTURE(joined(printed));
-  if (!program.refuted) {
+  if (!program.refuted || !program.lines.empty()) {
     CHECK(printed.size() == program.lines.size());
     for (std::size_t i = 0; i < std::min(printed.size(), program.lines.size()); ++i) {
       CAPTURE(program.lines[i]);

@@ -90,6 +90,10 @@ Surface<S> realise_dual(const Surface<S>& shape, const Points<S>& dual);
 // ---- C
 // ----------------------------------------------------------------------------------------------------------------------------
 
+/// C on polygons: D D, row by row, without the dual in between.
+template <class S>
+Points<S> convolve(const Surface<S>& shape, const KernelWeights<S>* weights);
+
 /// C on triangles. `weights` as for D.
 template <class S>
 Points<S> convolve_triangles(const Surface<S>& shape, const KernelWeights<S>* weights);

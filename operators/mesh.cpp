@@ -1,5 +1,6 @@
-// From index cycles to half-edges: edges are matched by two counting sorts, so the work is linear. The fast path only notices
-// that something is wrong; which element is to blame is found out afterwards, in the order of priority that mesh.h promises.
+// From index cycles to half-edges, in linear time: twins are found by the marks that the half-edges leaving a vertex make at
+// their tips. The fast path only notices that something is wrong; which element is to blame is found out afterwards, with the
+// edges sorted, in the order of priority that mesh.h promises.
 #include "operators/mesh.h"
 
 #include <algorithm>
@@ -16,8 +17,8 @@ std::size_t i(int k) { return static_cast<std::size_t>(k); }
 
 std::string text(int k) { return std::to_string(k); }
 
-/// The mesh under construction and what the messages need. `sorted` lists the half-edges, those of one edge next to each other
-/// (lowest first); group g is sorted[group[g]] .. sorted[group[g+1]-1].
+/// The mesh under construction and what the messages need. Once something is wrong, `sorted` lists the half-edges, those of one
+/// edge next to each other (lowest first); group g is sorted[group[g]] .. sorted[group[g+1]-1].
 struct Builder {
   Mesh mesh;
   int vertices = 0;
@@ -31,13 +32,13 @@ struct Builder {
   [[nodiscard]] std::string vertex_name(int v) const { return "vertex " + text(v + base); }
   [[nodiscard]] std::string edge_name(int h) const { return "edge " + text(low(h) + base) + "-" + text(high(h) + base); }
 
-  void check_faces() const;
-  void group_edges();
-  [[nodiscard]] bool edges_are_sound() const;
-  void link_edges();
-  void link_vertices();
+  [[nodiscard]] bool faces_are_sound() const;
+  [[nodiscard]] bool link_twins();
+  void check_fans() const;
 
-  [[noreturn]] void explain_edges() const;
+  void explain_faces() const;
+  [[noreturn]] void explain_edges();
+  void group_edges();
   void find_duplicate() const;
   void find_crowded_edge() const;
   [[nodiscard]] Ints neighbours() const;
@@ -46,7 +47,20 @@ struct Builder {
   void find_isolated_vertex() const;
 };
 
-void Builder::check_faces() const {
+/// At least one face, and all have three different corners or more.
+bool Builder::faces_are_sound() const {
+  Ints seen(i(vertices), -1);  // the last face that used the vertex
+  for (int f = 0; f < mesh.faces(); ++f) {
+    if (mesh.size(f) < 3) return false;
+    for (const int v : mesh.corners(f)) {
+      if (v < 0 || v >= vertices || seen[i(v)] == f) return false;
+      seen[i(v)] = f;
+    }
+  }
+  return mesh.faces() > 0;
+}
+
+void Builder::explain_faces() const {
   const int faces = mesh.faces();
   if (faces == 0) throw MeshError("E_NO_FACES", "the mesh has no face", "a mesh needs at least one face of three corners");
   for (int f = 0; f < faces; ++f) {
@@ -79,6 +93,51 @@ void Builder::check_faces() const {
   }
 }
 
+/// Twins; false if two half-edges run from one vertex to the same other one, as they do at every edge that is not sound.
+bool Builder::link_twins() {
+  const int n = mesh.half_edges();
+  Ints begin(i(vertices) + 1, 0), leaving(i(n));  // the half-edges that leave v: leaving[begin[v]] .. leaving[begin[v+1]-1]
+  for (const int v : mesh.vertex) ++begin[i(v)];
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  for (int h = n - 1; h >= 0; --h) leaving[i(--begin[i(mesh.vertex[i(h)])])] = h;
+  mesh.twin.assign(i(n), -1);
+  Ints mark(i(vertices), -1);  // the half-edge that was last seen to arrive
+  for (int v = 0; v < vertices; ++v) {
+    const std::span<const int> here(leaving.data() + begin[i(v)], leaving.data() + begin[i(v) + 1]);
+    for (const int h : here) {
+      int& last = mark[i(mesh.tip(h))];
+      if (last >= 0 && mesh.vertex[i(last)] == v) return false;
+      last = h;
+    }
+    for (const int h : here) {
+      const int arriving = mesh.prev(h), back = mark[i(mesh.vertex[i(arriving)])];
+      if (back >= 0 && mesh.vertex[i(back)] == v) mesh.twin[i(arriving)] = back;
+    }
+  }
+  return true;
+}
+
+/// One walk around each vertex must meet every face there; a second fan would be left over.
+void Builder::check_fans() const {
+  for (int v = 0; v < vertices; ++v) {
+    const int first = mesh.outgoing[i(v)];
+    if (first < 0) continue;
+    const int faces_here = mesh.valences[i(v)] - (mesh.on_boundary(v) ? 1 : 0);
+    int met = 0, h = first;
+    do {
+      ++met;
+      h = mesh.around(h);
+    } while (h >= 0 && h != first);
+    if (met != faces_here) {
+      throw MeshError("E_VERTEX_FANS",
+                      "several fans of faces meet in " + vertex_name(v) + ": " + face_name(mesh.face[i(first)]) +
+                          " reaches only " + text(met) + " of its " +
+                          std::to_string(std::count(mesh.vertex.begin(), mesh.vertex.end(), v)) + " faces across edges",
+                      "give each fan a vertex of its own", mesh.face[i(first)]);
+    }
+  }
+}
+
 /// One stable counting sort of `order` by key(h), which lies in 0 .. keys - 1.
 template <class Key>
 Ints counting_sort(const Ints& order, int keys, Key key) {
@@ -102,47 +161,8 @@ void Builder::group_edges() {
   group.push_back(mesh.half_edges());
 }
 
-bool Builder::edges_are_sound() const {
-  for (std::size_t g = 0; g + 1 < group.size(); ++g) {
-    const int size = group[g + 1] - group[g];
-    if (size > 2 || (size == 2 && same_direction(sorted[i(group[g])], sorted[i(group[g] + 1)]))) return false;
-  }
-  return true;
-}
-
-void Builder::link_edges() {
-  mesh.twin.assign(mesh.vertex.size(), -1);
-  for (std::size_t g = 0; g + 1 < group.size(); ++g) {
-    if (group[g + 1] - group[g] < 2) continue;
-    const int h = sorted[i(group[g])], k = sorted[i(group[g] + 1)];
-    mesh.twin[i(h)] = k;
-    mesh.twin[i(k)] = h;
-  }
-  complete_mesh(mesh, vertices);
-}
-
-/// One walk around each vertex must meet every face there; a second fan would be left over.
-void Builder::link_vertices() {
-  for (int v = 0; v < vertices; ++v) {
-    const int first = mesh.outgoing[i(v)];
-    if (first < 0) continue;
-    const int faces_here = mesh.valences[i(v)] - (mesh.on_boundary(v) ? 1 : 0);
-    int met = 0, h = first;
-    do {
-      ++met;
-      h = mesh.around(h);
-    } while (h >= 0 && h != first);
-    if (met != faces_here) {
-      throw MeshError("E_VERTEX_FANS",
-                      "several fans of faces meet in " + vertex_name(v) + ": " + face_name(mesh.face[i(first)]) +
-                          " reaches only " + text(met) + " of its " +
-                          std::to_string(std::count(mesh.vertex.begin(), mesh.vertex.end(), v)) + " faces across edges",
-                      "give each fan a vertex of its own", mesh.face[i(first)]);
-    }
-  }
-}
-
-void Builder::explain_edges() const {
+void Builder::explain_edges() {
+  group_edges();
   find_duplicate();
   find_crowded_edge();
   find_turned_face();
@@ -331,15 +351,14 @@ Mesh make_mesh(int vertices, std::vector<int> begin, std::vector<int> corners, i
   Mesh& mesh = builder.mesh;
   mesh.face_begin = std::move(begin);
   mesh.vertex = std::move(corners);
-  builder.check_faces();
+  if (!builder.faces_are_sound()) builder.explain_faces();
   mesh.face.resize(mesh.vertex.size());
   for (int f = 0; f < mesh.faces(); ++f) {
     std::fill(mesh.face.begin() + mesh.face_begin[i(f)], mesh.face.begin() + mesh.face_begin[i(f) + 1], f);
   }
-  builder.group_edges();
-  if (!builder.edges_are_sound()) builder.explain_edges();
-  builder.link_edges();
-  builder.link_vertices();
+  if (!builder.link_twins()) builder.explain_edges();
+  complete_mesh(mesh, vertices);
+  builder.check_fans();
   builder.find_isolated_vertex();
   return std::move(mesh);
 }

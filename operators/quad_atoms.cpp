@@ -5,6 +5,7 @@
 
 #include "operators/atoms.h"
 #include "operators/columns.h"
+#include "operators/rows.h"
 
 namespace udcp {
 namespace {
@@ -16,18 +17,25 @@ template <class S>
 class Reciprocals {
  public:
   const S& operator()(int n) {
-    while (static_cast<int>(values_.size()) <= n) values_.push_back(S(1) / S(static_cast<int>(values_.size())));
+    if (at(n) >= values_.size()) extend(n);
     return values_[at(n)];
   }
 
  private:
+  void extend(int n) {
+    while (at(n) >= values_.size()) values_.push_back(S(1) / S(static_cast<int>(values_.size())));
+  }
+
   std::vector<S> values_{S(0)};
 };
+
+int boundary_edges(const Mesh& mesh) { return 2 * mesh.edges() - mesh.half_edges(); }
 
 // Rows of the dual: faces, then boundary edges in edge order, then corners in vertex order.
 template <class Edge>
 int walk_boundary_edges(const Mesh& mesh, Edge edge) {
   int row = mesh.faces();
+  if (boundary_edges(mesh) == 0) return row;
   for (int e = 0; e < mesh.edges(); ++e)
     if (mesh.is_boundary_edge(e)) edge(mesh.edge_half[at(e)], row++);
   return row;
@@ -47,62 +55,113 @@ template <class S>
               "choose a kernel f with 1 + f nonzero");
 }
 
-// Weight of the vertex that half-edge h leaves, in the mean over its face: f of both its edges for an old vertex, of the edge
-// that is no child of an old edge for an E point, 1 for an F point.
+// D from points to the dual, one row at a time.
 template <class S>
-S corner_weight(const Surface<S>& shape, const KernelWeights<S>& weights, int h) {
-  const Mesh& mesh = *shape.mesh;
-  const int v = mesh.vertex[at(h)], before = mesh.prev(h);
-  if (weights.origin.is_in_face(v)) return S(1);
-  const auto f = [&](int half) -> const S& { return weights.f.at(shape.tags.of_edge(mesh.edge[at(half)]))[v]; };
-  if (weights.origin.is_old(v)) return f(before) * f(h);
-  S weight(1);
-  if (weights.origin.is_in_face(mesh.tip(h))) weight *= f(h);
-  if (weights.origin.is_in_face(mesh.vertex[at(before)])) weight *= f(before);
-  return weight;
-}
+class ToDual {
+ public:
+  ToDual(const Surface<S>& shape, const KernelWeights<S>* weights)
+      : shape_(shape), mesh_(*shape.mesh), weights_(weights != nullptr && weights->is_one() ? nullptr : weights) {}
 
-template <class S>
-void average_faces(const Surface<S>& shape, const KernelWeights<S>* weights, Points<S>& dual) {
-  const Mesh& mesh = *shape.mesh;
-  Reciprocals<S> reciprocal;
-  std::vector<S> weight;
-  for (int f = 0; f < mesh.faces(); ++f) {
-    const int begin = mesh.face_begin[at(f)], n = mesh.size(f);
-    if (weights == nullptr) {
-      for (int k = 0; k < n; ++k) add(dual, f, reciprocal(n), shape.points, mesh.vertex[at(begin + k)]);
-      continue;
+  void face(int f, Points<S>& dual, int row) {
+    const std::span<const int> corners = mesh_.corners(f);
+    if (weights_ == nullptr) {
+      const S& share = reciprocal_(static_cast<int>(corners.size()));
+      sum_rows(
+          dual, row, [&](std::size_t) -> const S& { return share; }, shape_.points, corners);
+      return;
     }
-    weight.clear();
+    weight_.clear();
     S sum(0);
-    for (int k = 0; k < n; ++k) sum += weight.emplace_back(corner_weight(shape, *weights, begin + k));
+    for (std::size_t k = 0; k < corners.size(); ++k) sum += weight_.emplace_back(corner_weight(f, k, corners));
     if (!is_nonzero(sum)) no_average("face " + std::to_string(f), sum);
     const S scale = S(1) / sum;
-    for (int k = 0; k < n; ++k) add(dual, f, S(weight[at(k)] * scale), shape.points, mesh.vertex[at(begin + k)]);
+    sum_rows(
+        dual, row, [&](std::size_t k) { return S(weight_[k] * scale); }, shape_.points, corners);
   }
-}
 
-// The curve rule on a boundary edge.
+  // The curve rule on the edge of h.
+  void boundary_edge(int h, Points<S>& dual, int row) const {
+    const EdgeTag tag = shape_.tags.of_edge(mesh_.edge[at(h)]);
+    const std::array<int, 2> ends{mesh_.vertex[at(h)], mesh_.tip(h)};
+    const auto weight = [&](int v) { return weights_ != nullptr && weights_->origin.is_old(v) ? weights_->f.at(tag)[v] : S(1); };
+    const std::array<S, 2> w{weight(ends[0]), weight(ends[1])};
+    const S sum = w[0] + w[1];
+    if (!is_nonzero(sum)) no_average("the boundary edge " + std::to_string(ends[0]) + "-" + std::to_string(ends[1]), sum);
+    sum_rows(
+        dual, row, [&](std::size_t k) { return S(w[k] / sum); }, shape_.points, ends);
+  }
+
+  void corner(int v, Points<S>& dual, int row) const { dual.row(row) = shape_.points.row(v); }
+
+ private:
+  // Weight of corner k of a face in its mean: f of both its edges for an old vertex, of the edge that is no child of an old edge
+  // for an E point, 1 for an F point.
+  [[nodiscard]] S corner_weight(int face, std::size_t k, std::span<const int> corners) const {
+    const Origin& origin = weights_->origin;
+    const int v = corners[k];
+    if (origin.is_in_face(v)) return S(1);
+    const std::size_t before = (k == 0 ? corners.size() : k) - 1, after = k + 1 == corners.size() ? 0 : k + 1;
+    const auto f = [&](std::size_t side) -> const S& {
+      return weights_->f.at(shape_.tags.of_edge(mesh_.edge[at(mesh_.face_begin[at(face)]) + side]))[v];
+    };
+    if (origin.is_old(v)) return f(before) * f(k);
+    S weight(1);
+    if (origin.is_in_face(corners[after])) weight *= f(k);
+    if (origin.is_in_face(corners[before])) weight *= f(before);
+    return weight;
+  }
+
+  const Surface<S>& shape_;
+  const Mesh& mesh_;
+  const KernelWeights<S>* weights_;
+  Reciprocals<S> reciprocal_;
+  std::vector<S> weight_;  // of the corners of one face
+};
+
+// D from the dual back to points, which collect the rows around them. Vertices on the boundary follow the curve rule and corners
+// stay, so they take nothing from faces.
 template <class S>
-void average_boundary_edge(const Surface<S>& shape, const KernelWeights<S>* weights, int h, int row, Points<S>& dual) {
-  const Mesh& mesh = *shape.mesh;
-  const EdgeTag tag = shape.tags.of_edge(mesh.edge[at(h)]);
-  const int a = mesh.vertex[at(h)], b = mesh.tip(h);
-  const auto weight = [&](int v) { return weights != nullptr && weights->origin.is_old(v) ? weights->f.at(tag)[v] : S(1); };
-  const S wa = weight(a), wb = weight(b), sum = wa + wb;
-  if (!is_nonzero(sum)) no_average("the boundary edge " + std::to_string(a) + "-" + std::to_string(b), sum);
-  add(dual, row, S(wa / sum), shape.points, a);
-  add(dual, row, S(wb / sum), shape.points, b);
-}
+class ToPrimal {
+ public:
+  ToPrimal(const Surface<S>& shape, Eigen::Index columns)
+      : mesh_(*shape.mesh), tags_(shape.tags), points_(zero_rows<S>(mesh_.vertices(), columns)) {
+    if (boundary_edges(mesh_) == 0 && tags_.corner.empty()) return;
+    apart_.resize(at(mesh_.vertices()));
+    for (int v = 0; v < mesh_.vertices(); ++v) apart_[at(v)] = mesh_.on_boundary(v) || tags_.is_corner(v);
+  }
+
+  void face(int f, const Points<S>& dual, int row) {
+    const bool none_apart = apart_.empty();
+    for (const int v : mesh_.corners(f))
+      if (none_apart || apart_[at(v)] == 0) add_row(points_, v, reciprocal_(mesh_.valence(v)), dual, row);
+  }
+
+  void boundary_edge(int h, const Points<S>& dual, int row) {
+    for (const int v : {mesh_.vertex[at(h)], mesh_.tip(h)})
+      if (!tags_.is_corner(v)) add_row(points_, v, reciprocal_(2), dual, row);
+  }
+
+  void corner(int v, const Points<S>& dual, int row) { points_.row(v) = dual.row(row); }
+
+  Points<S> points() { return std::move(points_); }
+
+ private:
+  const Mesh& mesh_;
+  const Tags& tags_;
+  Points<S> points_;
+  std::vector<char> apart_;  // per vertex: on the boundary or a corner; empty: none
+  Reciprocals<S> reciprocal_;
+};
 
 template <class S>
 void split_edges(const Mesh& mesh, const Points<S>& rows, int d, Points<S>& fine) {
   for (int s = 1; s < d; ++s) {
-    const S near = S(d - s) / S(d), far = S(s) / S(d);
+    const std::array<S, 2> weight{S(d - s) / S(d), S(s) / S(d)};
     for (int e = 0; e < mesh.edges(); ++e) {
-      const int h = mesh.edge_half[at(e)], i = mesh.vertices() + (d - 1) * e + s - 1;
-      add(fine, i, near, rows, mesh.vertex[at(h)]);
-      add(fine, i, far, rows, mesh.tip(h));
+      const int h = mesh.edge_half[at(e)];
+      const std::array<int, 2> ends{mesh.vertex[at(h)], mesh.tip(h)};
+      sum_rows(
+          fine, mesh.vertices() + (d - 1) * e + s - 1, [&](std::size_t k) -> const S& { return weight[k]; }, rows, ends);
     }
   }
 }
@@ -110,8 +169,20 @@ void split_edges(const Mesh& mesh, const Points<S>& rows, int d, Points<S>& fine
 template <class S>
 void split_polygons(const Mesh& mesh, const Points<S>& rows, int first, Points<S>& fine) {
   Reciprocals<S> reciprocal;
+  for (int f = 0; f < mesh.faces(); ++f) {
+    const S& share = reciprocal(mesh.size(f));
+    sum_rows(
+        fine, first + f, [&](std::size_t) -> const S& { return share; }, rows, mesh.corners(f));
+  }
+}
+
+// The points inside faces with these weights at the corners, every `stride`-th row from `first` on.
+template <class S, std::size_t Corners>
+void split_inside(const Mesh& mesh, const Points<S>& rows, const std::array<S, Corners>& weight, int first, int stride,
+                  Points<S>& fine) {
   for (int f = 0; f < mesh.faces(); ++f)
-    for (const int v : mesh.corners(f)) add(fine, first + f, reciprocal(mesh.size(f)), rows, v);
+    sum_rows(
+        fine, first + stride * f, [&](std::size_t k) -> const S& { return weight[k]; }, rows, mesh.corners(f));
 }
 
 template <class S>
@@ -119,10 +190,7 @@ void split_quads(const Mesh& mesh, const Points<S>& rows, int d, int first, Poin
   for (int y = 1; y < d; ++y) {
     for (int x = 1; x < d; ++x, ++first) {
       const S u = S(x) / S(d), v = S(y) / S(d), u1 = S(1) - u, v1 = S(1) - v;
-      const std::array<S, 4> weight{u1 * v1, u * v1, u * v, u1 * v};
-      for (int f = 0; f < mesh.faces(); ++f)
-        for (std::size_t k = 0; k < 4; ++k)
-          add(fine, first + (d - 1) * (d - 1) * f, weight[k], rows, mesh.vertex[at(mesh.face_begin[at(f)]) + k]);
+      split_inside<S, 4>(mesh, rows, {u1 * v1, u * v1, u * v, u1 * v}, first, (d - 1) * (d - 1), fine);
     }
   }
 }
@@ -130,12 +198,8 @@ void split_quads(const Mesh& mesh, const Points<S>& rows, int d, int first, Poin
 template <class S>
 void split_triangles(const Mesh& mesh, const Points<S>& rows, int d, int first, Points<S>& fine) {
   for (int y = 1; y < d; ++y) {
-    for (int x = 1; x + y < d; ++x, ++first) {
-      const std::array<S, 3> weight{S(d - x - y) / S(d), S(x) / S(d), S(y) / S(d)};
-      for (int f = 0; f < mesh.faces(); ++f)
-        for (std::size_t k = 0; k < 3; ++k)
-          add(fine, first + (d - 1) * (d - 2) / 2 * f, weight[k], rows, mesh.vertex[at(mesh.face_begin[at(f)]) + k]);
-    }
+    for (int x = 1; x + y < d; ++x, ++first)
+      split_inside<S, 3>(mesh, rows, {S(d - x - y) / S(d), S(x) / S(d), S(y) / S(d)}, first, (d - 1) * (d - 2) / 2, fine);
   }
 }
 
@@ -150,8 +214,8 @@ int inner_points(const Mesh& mesh, Split split) {
 template <class S>
 Points<S> split_points(const Mesh& mesh, const Points<S>& rows, Split split) {
   const int d = split.sections, first = mesh.vertices() + (d - 1) * mesh.edges();
-  Points<S> fine = Points<S>::Zero(first + inner_points(mesh, split), rows.cols());
-  fine.topRows(mesh.vertices()) = rows;
+  Points<S> fine = fresh_rows<S>(first + inner_points(mesh, split), rows.cols());
+  std::copy(rows.data(), rows.data() + rows.size(), fine.data());
   split_edges(mesh, rows, d, fine);
   if (split.triangles) {
     split_triangles(mesh, rows, d, first, fine);
@@ -176,29 +240,38 @@ Surface<S> up(const Surface<S>& shape, Split split) {
 
 template <class S>
 Points<S> to_dual(const Surface<S>& shape, const KernelWeights<S>* weights) {
-  if (weights != nullptr && weights->is_one()) weights = nullptr;
-  Points<S> dual = Points<S>::Zero(dual_rows(*shape.mesh, shape.tags), shape.points.cols());
-  average_faces(shape, weights, dual);
-  const int row = walk_boundary_edges(*shape.mesh, [&](int h, int r) { average_boundary_edge(shape, weights, h, r, dual); });
-  walk_corners(*shape.mesh, shape.tags, row, [&](int v, int r) { add(dual, r, S(1), shape.points, v); });
+  Points<S> dual = fresh_rows<S>(dual_rows(*shape.mesh, shape.tags), shape.points.cols());
+  ToDual<S> down(shape, weights);
+  for (int f = 0; f < shape.mesh->faces(); ++f) down.face(f, dual, f);
+  const int row = walk_boundary_edges(*shape.mesh, [&](int h, int r) { down.boundary_edge(h, dual, r); });
+  walk_corners(*shape.mesh, shape.tags, row, [&](int v, int r) { down.corner(v, dual, r); });
   return dual;
 }
 
 template <class S>
 Points<S> to_primal(const Surface<S>& shape, const Points<S>& dual) {
-  const Mesh& mesh = *shape.mesh;
-  Points<S> points = Points<S>::Zero(mesh.vertices(), dual.cols());
-  Reciprocals<S> reciprocal;
-  for (int h = 0; h < mesh.half_edges(); ++h) {
-    const int v = mesh.vertex[at(h)];
-    if (!mesh.on_boundary(v) && !shape.tags.is_corner(v)) add(points, v, reciprocal(mesh.valence(v)), dual, mesh.face[at(h)]);
+  ToPrimal<S> up(shape, dual.cols());
+  for (int f = 0; f < shape.mesh->faces(); ++f) up.face(f, dual, f);
+  const int row = walk_boundary_edges(*shape.mesh, [&](int h, int r) { up.boundary_edge(h, dual, r); });
+  walk_corners(*shape.mesh, shape.tags, row, [&](int v, int r) { up.corner(v, dual, r); });
+  return up.points();
+}
+
+template <class S>
+Points<S> convolve(const Surface<S>& shape, const KernelWeights<S>* weights) {
+  ToDual<S> down(shape, weights);
+  ToPrimal<S> up(shape, shape.points.cols());
+  Points<S> row(1, shape.points.cols());
+  for (int f = 0; f < shape.mesh->faces(); ++f) {
+    down.face(f, row, 0);
+    up.face(f, row, 0);
   }
-  const int row = walk_boundary_edges(mesh, [&](int h, int r) {
-    for (const int v : {mesh.vertex[at(h)], mesh.tip(h)})
-      if (!shape.tags.is_corner(v)) add(points, v, reciprocal(2), dual, r);
+  walk_boundary_edges(*shape.mesh, [&](int h, int) {
+    down.boundary_edge(h, row, 0);
+    up.boundary_edge(h, row, 0);
   });
-  walk_corners(mesh, shape.tags, row, [&](int v, int r) { add(points, v, S(1), dual, r); });
-  return points;
+  walk_corners(*shape.mesh, shape.tags, 0, [&](int v, int) { up.corner(v, shape.points, v); });
+  return up.points();
 }
 
 template <class S>
@@ -214,7 +287,8 @@ Surface<S> realise_dual(const Surface<S>& shape, const Points<S>& dual) {
 
 template <class S>
 Points<S> convolve_classic(const Surface<S>& shape, const KernelWeights<S>& weights, const Mesh& before) {
-  Points<S> points = to_primal(shape, to_dual(shape, &weights));
+  Points<S> points = convolve(shape, &weights);
+  if (before.all_faces_have(4)) return points;
   const int first_face_point = before.vertices() + before.edges();
   for (int e = 0; e < before.edges(); ++e) {
     const int h = before.edge_half[at(e)], twin = before.twin[at(h)], i = before.vertices() + e;
@@ -226,47 +300,43 @@ Points<S> convolve_classic(const Surface<S>& shape, const KernelWeights<S>& weig
     const S sum = S(2) + S(2) * f;
     if (!is_nonzero(sum)) no_average("edge " + std::to_string(e), sum);
     points.row(i).setZero();
-    add(points, i, S(S(1) / sum), shape.points, first_face_point + left);
-    add(points, i, S(S(1) / sum), shape.points, first_face_point + right);
-    add(points, i, S(S(2) * f / sum), shape.points, i);
+    add_row(points, i, S(S(1) / sum), shape.points, first_face_point + left);
+    add_row(points, i, S(S(1) / sum), shape.points, first_face_point + right);
+    add_row(points, i, S(S(2) * f / sum), shape.points, i);
   }
   return points;
 }
 
-namespace {
-
-// Delta at the old vertices: delta (old - new), 0 at corners.
-template <class S>
-Points<S> push_back_differences(const Points<S>& current, const Surface<S>& before, const Parameter<S>& delta) {
-  Points<S> difference = Points<S>::Zero(before.mesh->vertices(), current.cols());
-  for (int v = 0; v < before.mesh->vertices(); ++v) {
-    if (before.tags.is_corner(v)) continue;
-    add(difference, v, delta[v], before.points, v);
-    add(difference, v, S(-delta[v]), current, v);
-  }
-  return difference;
-}
-
-}  // namespace
-
 template <class S>
 Points<S> push_back(Points<S> current, const Surface<S>& before, Split split, const PushBack<S>& parameters) {
   const Mesh& mesh = *before.mesh;
-  const Points<S> difference = push_back_differences(current, before, parameters.delta);
-  for (int v = 0; v < mesh.vertices(); ++v) add(current, v, S(1), difference, v);
-  if (parameters.spreads_nothing()) return current;
+  const bool spreads = !parameters.spreads_nothing();
+  // Delta at the old vertices: delta (old - new), 0 at corners.
+  Points<S> difference = zero_rows<S>(spreads ? mesh.vertices() : 1, current.cols());
+  for (int v = 0; v < mesh.vertices(); ++v) {
+    if (before.tags.is_corner(v)) continue;
+    const S& delta = parameters.delta[v];
+    const int row = spreads ? v : 0;
+    if (!spreads) difference.setZero();
+    add_row(difference, row, delta, before.points, v);
+    add_row(difference, row, S(-delta), current, v);
+    add_row(current, v, S(1), difference, row);
+  }
+  if (!spreads) return current;
   const Points<S> spread = split_points(mesh, difference, split);
-  const int points = static_cast<int>(current.rows()), d = split.sections;
-  const int first_edge_point = mesh.vertices(), first_inner = first_edge_point + (d - 1) * mesh.edges();
-  for (int i = first_edge_point; i < first_inner; ++i)
-    add(current, i, parameters.omega.at(before.tags.of_edge((i - first_edge_point) / (d - 1)))[i], spread, i);
-  const int per_face = mesh.faces() == 0 ? 0 : inner_points(mesh, split) / mesh.faces();
-  for (int i = first_inner; i < points; ++i) {
-    const bool alternate = is_alternately_tagged(mesh, before.tags, (i - first_inner) / per_face);
-    const S weight = parameters.has_omega_face ? parameters.omega_face[i]
-                     : alternate               ? S(parameters.omega.latitude[i] * parameters.omega.longitude[i])
-                                               : S(parameters.omega.plain[i] * parameters.omega.plain[i]);
-    add(current, i, weight, spread, i);
+  const int edge_points = split.sections - 1;
+  int i = mesh.vertices();
+  for (int e = 0; e < mesh.edges(); ++e) {
+    const Parameter<S>& along = parameters.omega.at(before.tags.of_edge(e));
+    for (int s = 0; s < edge_points; ++s, ++i) add_row(current, i, along[i], spread, i);
+  }
+  const Directional<Parameter<S>>& omega = parameters.omega;
+  const int inside = mesh.faces() == 0 ? 0 : inner_points(mesh, split) / mesh.faces();
+  for (int f = 0; f < mesh.faces(); ++f) {
+    const bool alternate = is_alternately_tagged(mesh, before.tags, f);
+    const Parameter<S>&a = alternate ? omega.latitude : omega.plain, &b = alternate ? omega.longitude : omega.plain;
+    for (int s = 0; s < inside; ++s, ++i)
+      add_row(current, i, parameters.has_omega_face ? parameters.omega_face[i] : S(a[i] * b[i]), spread, i);
   }
   return current;
 }
@@ -276,6 +346,7 @@ Points<S> push_back(Points<S> current, const Surface<S>& before, Split split, co
   template Surface<S> up(const Surface<S>&, Split);                                             \
   template Points<S> to_dual(const Surface<S>&, const KernelWeights<S>*);                       \
   template Points<S> to_primal(const Surface<S>&, const Points<S>&);                            \
+  template Points<S> convolve(const Surface<S>&, const KernelWeights<S>*);                      \
   template Surface<S> realise_dual(const Surface<S>&, const Points<S>&);                        \
   template Points<S> convolve_classic(const Surface<S>&, const KernelWeights<S>&, const Mesh&); \
   template Points<S> push_back(Points<S>, const Surface<S>&, Split, const PushBack<S>&);

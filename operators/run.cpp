@@ -2,13 +2,13 @@
 #include "operators/run.h"
 
 #include <algorithm>
-#include <map>
 #include <optional>
 #include <string>
 #include <utility>
 
 #include "operators/atoms.h"
 #include "operators/interrupt.h"
+#include "operators/size_limits.h"
 
 namespace udcp {
 namespace {
@@ -69,12 +69,16 @@ Classes classes_of(const Surface<S>& before, int regular) {
   Classes classes{{regular}, nullptr, false};
   const Mesh& mesh = *before.mesh;
   auto slot = std::make_shared<std::vector<int>>(at(mesh.vertices()), 0);
-  std::map<int, int> known{{regular, 0}};
+  std::vector<int> known(at(regular) + 1, -1);  // per valence its class
+  known[at(regular)] = 0;
   for (int v = 0; v < mesh.vertices(); ++v) {
     const int n = mesh.on_boundary(v) ? regular : mesh.valence(v);
-    const auto [found, is_new] = known.emplace(n, static_cast<int>(classes.valence.size()));
-    if (is_new) classes.valence.push_back(n);
-    (*slot)[at(v)] = found->second;
+    if (at(n) >= known.size()) known.resize(at(n) + 1, -1);
+    if (known[at(n)] < 0) {
+      known[at(n)] = static_cast<int>(classes.valence.size());
+      classes.valence.push_back(n);
+    }
+    (*slot)[at(v)] = known[at(n)];
     classes.regular_among_old |= n == regular;
   }
   if (classes.valence.size() > 1) classes.slot = std::move(slot);
@@ -181,9 +185,9 @@ class Runner {
   }
 
   void count_up(const Item& item) {
-    if (ups_ > 0) divisor_ *= Rational(last_up_.sections);
+    if (ups_ > 0) divisor_ *= Rational(last_up_->sections);
     ++ups_;
-    last_up_ = item;
+    last_up_ = &item;
   }
 
   // ---- parameters ----
@@ -213,10 +217,10 @@ class Runner {
     result.values.assign(at(n), S(0));
     if (n == 1) return Parameter<S>::constant(value(kernel, direction, regular_, 0));
     KernelWeights<S> place;
-    place_weights(*before_, last_up_, word_, place);
+    place_weights(*before_, *last_up_, word_, place);
     int old_index = 0;
     for (int i = 0; i < n; ++i) {
-      const bool old = is_old(*before_, shape_, last_up_, i);
+      const bool old = is_old(*before_, shape_, *last_up_, i);
       const int valence = old ? start_valence(*before_, old_index++, regular_) : regular_;
       const bool wanted = where == Where::old_points ? old : where == Where::new_points ? !old : old || !in_face(place, i);
       if (wanted) result.values[at(i)] = value(kernel, direction, valence, i);
@@ -263,7 +267,7 @@ class Runner {
   KernelWeights<S> weights(const Item& item) {
     KernelWeights<S> result;
     result.f = directional(item.f, Where::old_and_edge_points);
-    place_weights(*before_, last_up_, word_, result);
+    place_weights(*before_, *last_up_, word_, result);
     return result;
   }
 
@@ -287,26 +291,25 @@ class Runner {
   }
 
   void apply_convolve(const Item& item) {
-    if (!convolve_own_way(item)) {
+    if (!convolve_in_one_pass(item)) {
       average(kernel_acts(item) ? &item : nullptr);
       average(nullptr);
     }
     averages_ += 2;
   }
 
-  // Triangles, and ngon = classic; everywhere else C is D D.
-  bool convolve_own_way(const Item& item) {
+  // On meshes, but for the C between two D, which starts in the dual. Everywhere else C is two averages.
+  bool convolve_in_one_pass(const Item& item) {
     if constexpr (std::is_same_v<Shape, Surface<S>>) {
-      if (word_.triangles) {
-        std::optional<KernelWeights<S>> w;
-        if (kernel_acts(item)) w = weights(item);
-        shape_.points = convolve_triangles(shape_, w ? &*w : nullptr);
-        return true;
-      }
-      if (item.ngon == Ngon::classic && made_by_up_ && !dual_ && averages_ == 0 && last_up_.sections == 2) {
-        shape_.points = convolve_classic(shape_, weights(item), *before_->mesh);
-        return true;
-      }
+      if (dual_) return false;
+      std::optional<KernelWeights<S>> acting;
+      if (kernel_acts(item)) acting = weights(item);
+      const KernelWeights<S>* w = acting ? &*acting : nullptr;
+      const bool classic = item.ngon == Ngon::classic && made_by_up_ && averages_ == 0 && last_up_->sections == 2;
+      shape_.points = word_.triangles ? convolve_triangles(shape_, w)
+                      : classic       ? convolve_classic(shape_, *w, *before_->mesh)
+                                      : convolve(shape_, w);
+      return true;
     }
     (void)item;
     return false;
@@ -321,7 +324,7 @@ class Runner {
     parameters.omega = directional(item.omega, Where::new_points);
     parameters.has_omega_face = item.omega_face != nullptr;
     if (item.omega_face) parameters.omega_face = parameter(item.omega_face, EdgeTag::none, Where::new_points);
-    shape_.points = push(std::move(shape_.points), *before_, last_up_, word_, parameters);
+    shape_.points = push(std::move(shape_.points), *before_, *last_up_, word_, parameters);
     if constexpr (std::is_same_v<Shape, Surface<S>>) apply_rings();
   }
 
@@ -345,24 +348,10 @@ class Runner {
   std::optional<Classes> classes_;  // of the old vertices of before_, made when first asked for
   Directional<Alpha> alpha_;
   Rational divisor_{1};  // alpha = start value / divisor
-  Item last_up_;
+  const Item* last_up_ = nullptr;
   int ups_ = 0, averages_ = 0, regular_ = 4, next_item_ = 0;
   bool made_by_up_ = false;
 };
-
-[[noreturn]] void too_large(std::int64_t elements, const char* what, std::int64_t limit) {
-  throw Error(ErrorKind::limit, "E_MAX_FACES",
-              "the result would have " + std::to_string(elements) + " " + what + "; the limit is " + std::to_string(limit),
-              "apply fewer rounds, or raise the limit (--max-faces, set max_faces)");
-}
-
-void check_memory(std::int64_t needed, std::int64_t limit) {
-  if (limit <= 0 || needed <= limit) return;
-  throw Error(ErrorKind::limit, "E_MAX_MEMORY",
-              "the result would need about " + std::to_string(needed >> 20) + " MiB; the limit is " +
-                  std::to_string(limit >> 20) + " MiB",
-              "apply fewer rounds");
-}
 
 // The work of one atom, for progress: the faces that it leaves, one for a curve.
 template <class S>
@@ -380,10 +369,10 @@ double plan(const Word& word, const Surface<S>& shape, int rounds, const RunCont
   double work = 0;
   const auto note = [&](const Counts& c) {
     work += static_cast<double>(c.faces) + 1;
-    if (c.faces > control.max_faces) too_large(c.faces, "faces", control.max_faces);
+    check_elements(c.faces, "faces", control.max_faces);
   };
   const Counts largest = counts(word, counts(*shape.mesh, shape.tags), rounds, note);
-  if (largest.faces > control.max_faces) too_large(largest.faces, "faces", control.max_faces);
+  check_elements(largest.faces, "faces", control.max_faces);
   const std::int64_t per_vertex = 8 + 3 * shape.points.cols() * static_cast<std::int64_t>(sizeof(S));
   check_memory(16 * largest.half_edges + 4 * (largest.edges + largest.faces) + per_vertex * largest.vertices, control.max_bytes);
   return work;
@@ -394,9 +383,15 @@ double plan(const Word& word, const Polyline<S>& shape, int rounds, const RunCon
   int corners = 0;
   for (int i = 0; i < shape.size(); ++i) corners += shape.is_corner(i);
   const std::int64_t points = count_points(word, shape.size(), shape.closed, corners, rounds);
-  if (points > control.max_faces) too_large(points, "points", control.max_faces);
+  check_elements(points, "points", control.max_faces);
   check_memory(points * 3 * shape.points.cols() * static_cast<std::int64_t>(sizeof(S)), control.max_bytes);
   return word.items(rounds);
+}
+
+// What is left of a word that continues.
+Word without_head(Word word) {
+  word.head.clear();
+  return word;
 }
 
 template <class S, class Shape>
@@ -405,9 +400,7 @@ Shape run_word(const Word& word, Shape shape, int rounds, const RunControl& cont
     throw Error(ErrorKind::input, "E_ROUNDS", "the number of rounds is " + std::to_string(rounds) + "; it cannot be negative",
                 "");
   const int from = control.first_item;
-  Word rest = word;  // a run that continues has its head behind it
-  if (from > 0) rest.head.clear();
-  const double total = plan(rest, shape, rounds, control);
+  const double total = from == 0 ? plan(word, shape, rounds, control) : plan(without_head(word), shape, rounds, control);
   const int to = from == 0 ? word.items(rounds) : from + rounds * static_cast<int>(word.tail.size());
   double done = 0;
   Runner<S, Shape> runner(word, std::move(shape), control);

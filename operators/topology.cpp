@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "operators/error.h"
+#include "operators/huge_pages.h"
 
 namespace udcp {
 namespace {
@@ -24,65 +25,118 @@ void check_size(const Mesh& mesh, std::int64_t half_edges) {
   }
 }
 
+// next and prev of a mesh: in general, and by arithmetic where all faces have n corners.
+struct AnyFaces {
+  const Mesh& mesh;
+  [[nodiscard]] int next(int h) const { return mesh.next(h); }
+  [[nodiscard]] int prev(int h) const { return mesh.prev(h); }
+};
+template <int n>
+struct EqualFaces {
+  [[nodiscard]] static int next(int h) { return h % n == n - 1 ? h - (n - 1) : h + 1; }
+  [[nodiscard]] static int prev(int h) { return h % n == 0 ? h + (n - 1) : h - 1; }
+};
+
+// The mesh of a split, written half-edge by half-edge in their order; edges get their numbers when they first appear.
+class FineMesh {
+ public:
+  FineMesh(int corners, int faces, int edges, int vertices) {
+    for (std::vector<int>* column : {&mesh_.vertex, &mesh_.twin, &mesh_.edge, &mesh_.face})
+      make(*column, at(corners) * at(faces));
+    make(mesh_.edge_half, at(edges));
+    make(mesh_.outgoing, at(vertices));
+    make(mesh_.valences, at(vertices));
+    make(mesh_.face_begin, at(faces) + 1);
+    for (int f = 0; f <= faces; ++f) mesh_.face_begin[at(f)] = corners * f;
+  }
+
+  void half_edge(int face, int vertex, int twin) {
+    const auto h = at(half_edges_);
+    mesh_.face[h] = face;
+    mesh_.vertex[h] = vertex;
+    mesh_.twin[h] = twin;
+    const bool known = twin >= 0 && twin < half_edges_;
+    if (!known) mesh_.edge_half[at(edges_)] = half_edges_;
+    mesh_.edge[h] = known ? mesh_.edge[at(twin)] : edges_++;
+    ++half_edges_;
+  }
+
+  // The vertices, in their order too: the half-edge that Mesh::outgoing asks for.
+  void vertex(int outgoing, int valence) {
+    mesh_.outgoing[at(vertices_)] = outgoing;
+    mesh_.valences[at(vertices_)] = valence;
+    ++vertices_;
+  }
+
+  // The old vertices, then the points on edges. corner(h) is the half-edge that leaves the old vertex in the face at the corner
+  // of h; the one after it leaves the point on h, and `last` places on is the one that arrives from the point on prev(h).
+  template <class Faces, class Corner>
+  void old_and_edge_vertices(const Mesh& mesh, Faces faces, Corner corner, int last, int valence_on_edges) {
+    for (int v = 0; v < mesh.vertices(); ++v) vertex(corner(mesh.outgoing[at(v)]), mesh.valence(v));
+    for (const int h : mesh.edge_half) {
+      const int behind = corner(h) + 1, ahead = corner(faces.next(h)) + last;
+      if (mesh.twin[at(h)] < 0) {
+        vertex(ahead, valence_on_edges / 2 + 1);
+      } else {
+        vertex(std::min(behind, ahead), valence_on_edges);
+      }
+    }
+  }
+
+  Mesh mesh() { return std::move(mesh_); }
+
+ private:
+  static void make(std::vector<int>& column, std::size_t size) {
+    column.reserve(size);
+    prefer_huge_pages(column.data(), size * sizeof(int));
+    column.resize(size);
+  }
+
+  Mesh mesh_;
+  int half_edges_ = 0, edges_ = 0, vertices_ = 0;
+};
+
 // Every face of n corners into n quads; half-edge h becomes the quad at its corner, with half-edges 4h .. 4h+3:
 // vertex -> edge point -> face point -> edge point of prev(h) -> vertex.
-Mesh split_into_quads(const Mesh& mesh) {
-  const int n = mesh.half_edges();
+template <class Faces>
+Mesh split_into_quads(const Mesh& mesh, Faces faces) {
+  const int n = mesh.half_edges(), first_edge_point = mesh.vertices(), first_face_point = first_edge_point + mesh.edges();
   check_size(mesh, 4LL * n);
-  const int first_edge_point = mesh.vertices();
-  const int first_face_point = first_edge_point + mesh.edges();
-  Mesh fine;
-  fine.face_begin.resize(at(n) + 1);
-  fine.vertex.resize(4 * at(n));
-  fine.twin.resize(4 * at(n));
-  fine.face.resize(4 * at(n));
-  for (int h = 0; h <= n; ++h) fine.face_begin[at(h)] = 4 * h;
+  FineMesh fine(4, n, 2 * mesh.edges() + n, first_face_point + mesh.faces());
   for (int h = 0; h < n; ++h) {
-    const int next = mesh.next(h), prev = mesh.prev(h), twin = mesh.twin[at(h)], twin_of_prev = mesh.twin[at(prev)];
-    const std::size_t q = 4 * at(h);
-    fine.vertex[q] = mesh.vertex[at(h)];
-    fine.vertex[q + 1] = first_edge_point + mesh.edge[at(h)];
-    fine.vertex[q + 2] = first_face_point + mesh.face[at(h)];
-    fine.vertex[q + 3] = first_edge_point + mesh.edge[at(prev)];
-    fine.twin[q] = twin < 0 ? -1 : 4 * mesh.next(twin) + 3;
-    fine.twin[q + 1] = 4 * next + 2;
-    fine.twin[q + 2] = 4 * prev + 1;
-    fine.twin[q + 3] = twin_of_prev < 0 ? -1 : 4 * twin_of_prev;
-    for (std::size_t k = 0; k < 4; ++k) fine.face[q + k] = h;
+    const int prev = faces.prev(h), twin = mesh.twin[at(h)], twin_of_prev = mesh.twin[at(prev)];
+    fine.half_edge(h, mesh.vertex[at(h)], twin < 0 ? -1 : 4 * faces.next(twin) + 3);
+    fine.half_edge(h, first_edge_point + mesh.edge[at(h)], 4 * faces.next(h) + 2);
+    fine.half_edge(h, first_face_point + mesh.face[at(h)], 4 * prev + 1);
+    fine.half_edge(h, first_edge_point + mesh.edge[at(prev)], twin_of_prev < 0 ? -1 : 4 * twin_of_prev);
   }
-  complete_mesh(fine, first_face_point + mesh.faces());
-  return fine;
+  fine.old_and_edge_vertices(
+      mesh, faces, [](int h) { return 4 * h; }, 3, 4);
+  for (int f = 0; f < mesh.faces(); ++f) fine.vertex(4 * mesh.face_begin[at(f)] + 2, mesh.size(f));
+  return fine.mesh();
 }
 
-// Every triangle (a, b, c) into (a, ab, ca), (b, bc, ab), (c, ca, bc), (ab, bc, ca). Half-edge h of a face becomes 4h - h % 3 *
-// ... in corner triangles: corner j of face f is new face 4f + j, the middle one 4f + 3.
+// Every triangle (a, b, c) into (a, ab, ca), (b, bc, ab), (c, ca, bc), (ab, bc, ca): corner j of face f becomes face 4f + j, and
+// the middle one is 4f + 3, its half-edge j leaving the point on half-edge j.
 Mesh split_into_four_triangles(const Mesh& mesh) {
-  const int n = mesh.half_edges();
+  const int n = mesh.half_edges(), first_edge_point = mesh.vertices();
   check_size(mesh, 4LL * n);
-  const int first_edge_point = mesh.vertices();
-  const auto corner_triangle = [](int h) { return 3 * (4 * (h / 3) + h % 3); };  // first half-edge of the triangle at corner h
-  const auto middle = [](int h) { return 3 * (4 * (h / 3) + 3) + h % 3; };       // half-edge of the middle that leaves E(h)
-  Mesh fine;
-  fine.face_begin.resize(4 * at(mesh.faces()) + 1);
-  for (std::size_t f = 0; f < fine.face_begin.size(); ++f) fine.face_begin[f] = 3 * static_cast<int>(f);
-  fine.vertex.resize(4 * at(n));
-  fine.twin.resize(4 * at(n));
-  fine.face.resize(4 * at(n));
-  for (int k = 0; k < 4 * n; ++k) fine.face[at(k)] = k / 3;
-  for (int h = 0; h < n; ++h) {
-    const int prev = mesh.prev(h), twin = mesh.twin[at(h)], twin_of_prev = mesh.twin[at(prev)];
-    const int t = corner_triangle(h), m = middle(h);
-    fine.vertex[at(t)] = mesh.vertex[at(h)];
-    fine.vertex[at(t + 1)] = first_edge_point + mesh.edge[at(h)];
-    fine.vertex[at(t + 2)] = first_edge_point + mesh.edge[at(prev)];
-    fine.twin[at(t)] = twin < 0 ? -1 : corner_triangle(mesh.next(twin)) + 2;
-    fine.twin[at(t + 1)] = middle(prev);
-    fine.twin[at(t + 2)] = twin_of_prev < 0 ? -1 : corner_triangle(twin_of_prev);
-    fine.vertex[at(m)] = first_edge_point + mesh.edge[at(h)];
-    fine.twin[at(m)] = corner_triangle(mesh.next(h)) + 1;
+  const EqualFaces<3> faces;
+  const auto corner = [](int h) { return 3 * (4 * (h / 3) + h % 3); };
+  const auto middle = [](int h) { return 3 * (4 * (h / 3) + 3) + h % 3; };
+  FineMesh fine(3, 4 * mesh.faces(), 2 * mesh.edges() + n, first_edge_point + mesh.edges());
+  for (int f = 0; f < mesh.faces(); ++f) {
+    for (int h = 3 * f; h < 3 * f + 3; ++h) {
+      const int face = 4 * f + h % 3, prev = faces.prev(h), twin = mesh.twin[at(h)], twin_of_prev = mesh.twin[at(prev)];
+      fine.half_edge(face, mesh.vertex[at(h)], twin < 0 ? -1 : corner(faces.next(twin)) + 2);
+      fine.half_edge(face, first_edge_point + mesh.edge[at(h)], middle(prev));
+      fine.half_edge(face, first_edge_point + mesh.edge[at(prev)], twin_of_prev < 0 ? -1 : corner(twin_of_prev));
+    }
+    for (int h = 3 * f; h < 3 * f + 3; ++h)
+      fine.half_edge(4 * f + 3, first_edge_point + mesh.edge[at(h)], corner(faces.next(h)) + 1);
   }
-  complete_mesh(fine, first_edge_point + mesh.edges());
-  return fine;
+  fine.old_and_edge_vertices(mesh, faces, corner, 2, 6);
+  return fine.mesh();
 }
 
 // The s-th of the d - 1 points on half-edge h, counted from the vertex it leaves; the ends for s = 0 and s = d.
@@ -183,7 +237,8 @@ Mesh split_mesh(const Mesh& mesh, Split split) {
     require_triangles(mesh);
     return split.sections == 2 ? split_into_four_triangles(mesh) : split_triangle_grid(mesh, split.sections);
   }
-  return split.sections == 2 ? split_into_quads(mesh) : split_grid(mesh, split.sections);
+  if (split.sections > 2) return split_grid(mesh, split.sections);
+  return mesh.all_faces_have(4) ? split_into_quads(mesh, EqualFaces<4>{}) : split_into_quads(mesh, AnyFaces{mesh});
 }
 
 bool is_alternately_tagged(const Mesh& mesh, const Tags& tags, int face) {
@@ -234,8 +289,7 @@ int count_corners(const Tags& tags) {
 }  // namespace
 
 int dual_rows(const Mesh& mesh, const Tags& tags) {
-  int boundary_edges = 0;
-  for (int e = 0; e < mesh.edges(); ++e) boundary_edges += mesh.is_boundary_edge(e);
+  const int boundary_edges = 2 * mesh.edges() - mesh.half_edges();
   return mesh.faces() + boundary_edges + count_corners(tags);
 }
 

@@ -1,8 +1,11 @@
 // C on triangle meshes, an atom of its own there; boundary vertices follow the curve rule. The kernel on triangles is this
 // project's choice, as the paper says only that it is "slightly modified".
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "operators/atoms.h"
+#include "operators/rows.h"
 
 namespace udcp {
 namespace {
@@ -13,19 +16,22 @@ template <class S>
 class TriangleConvolution {
  public:
   TriangleConvolution(const Surface<S>& shape, const KernelWeights<S>* weights)
-      : shape_(shape), mesh_(*shape.mesh), weights_(weights) {}
+      : shape_(shape), mesh_(*shape.mesh), weights_(weights != nullptr && weights->is_one() ? nullptr : weights) {}
 
   Points<S> run() {
-    result_ = Points<S>::Zero(shape_.points.rows(), shape_.points.cols());
+    result_ = zero_rows<S>(shape_.points.rows(), shape_.points.cols());
     for (int v = 0; v < mesh_.vertices(); ++v) {
       if (shape_.tags.is_corner(v)) {
-        add(result_, v, S(1), shape_.points, v);
+        add_row(result_, v, S(1), shape_.points, v);
       } else if (mesh_.on_boundary(v)) {
         boundary_vertex(v);
-      } else {
+      } else if (weights_ != nullptr) {
         inner_vertex(v);
+      } else {
+        add_row(result_, v, mean(mesh_.valence(v)).own, shape_.points, v);
       }
     }
+    if (weights_ == nullptr) add_neighbours();
     return std::move(result_);
   }
 
@@ -39,6 +45,31 @@ class TriangleConvolution {
                 "choose another kernel f");
   }
 
+  // The weights of inner_vertex for w = 1, once per valence.
+  struct Mean {
+    S own, each;
+  };
+  const Mean& mean(int n) {
+    if (at(n) >= means_.size()) means_.resize(at(n) + 1);
+    std::optional<Mean>& known = means_[at(n)];
+    if (!known) {
+      const S own(2), share = S(6) / S(n);
+      S sum = own;
+      for (int k = 0; k < n; ++k) sum += share;
+      known = Mean{own / sum, share / sum};
+    }
+    return *known;
+  }
+
+  // Where w = 1 the neighbours are added face by face, in the order of memory.
+  void add_neighbours() {
+    for (int h = 0; h < mesh_.half_edges(); ++h) {
+      const int v = mesh_.vertex[at(h)];
+      if (!shape_.tags.is_corner(v) && !mesh_.on_boundary(v))
+        add_row(result_, v, mean(mesh_.valence(v)).each, shape_.points, mesh_.tip(h));
+    }
+  }
+
   // (2 w_v P_v + (6/n) sum w_u P_u) / (2 w_v + (6/n) sum w_u)
   void inner_vertex(int v) {
     const S own = S(2) * weight(v), share = S(6) / S(mesh_.valence(v));
@@ -50,10 +81,10 @@ class TriangleConvolution {
       if (h == first) break;
     }
     check(v, sum);
-    add(result_, v, S(own / sum), shape_.points, v);
+    add_row(result_, v, S(own / sum), shape_.points, v);
     for (int h = first;;) {
       const int u = mesh_.tip(h);
-      add(result_, v, S(share * weight(u) / sum), shape_.points, u);
+      add_row(result_, v, S(share * weight(u) / sum), shape_.points, u);
       h = mesh_.around(h);
       if (h == first) break;
     }
@@ -67,8 +98,8 @@ class TriangleConvolution {
       const S sum = own + weight(u);
       check(v, sum);
       const S scale = S(1) / (S(2) * sum);
-      add(result_, v, S(own * scale), shape_.points, v);
-      add(result_, v, S(weight(u) * scale), shape_.points, u);
+      add_row(result_, v, S(own * scale), shape_.points, v);
+      add_row(result_, v, S(weight(u) * scale), shape_.points, u);
     }
   }
 
@@ -76,6 +107,7 @@ class TriangleConvolution {
   const Mesh& mesh_;
   const KernelWeights<S>* weights_;
   Points<S> result_;
+  std::vector<std::optional<Mean>> means_;  // by valence
 };
 
 }  // namespace

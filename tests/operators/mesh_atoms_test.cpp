@@ -1,6 +1,7 @@
 // Atoms on meshes: boundaries are curve words, corners, U[d] and P on quads, errors of geometry.
 #include <doctest/doctest.h>
 
+#include "operators/atoms.h"
 #include "operators/run.h"
 #include "tests/oracle/inputs.h"
 #include "tests/oracle/refusal.h"
@@ -29,6 +30,16 @@ Polyline<Rational> boundary_curve(const Surface<Rational>& surface, const std::v
     curve.corner.push_back(surface.tags.is_corner(vertices[k]) ? 1 : 0);
   }
   return curve;
+}
+
+// f per vertex, for the vertices below `old`.
+template <class S>
+KernelWeights<S> random_weights(Dice& dice, const Mesh& mesh, int old) {
+  KernelWeights<S> weights;
+  weights.origin = {old, mesh.vertices() - old};
+  weights.f = Directional<Parameter<S>>::all({{}, nullptr});
+  for (int v = 0; v < mesh.vertices(); ++v) weights.f.plain.values.push_back(number<S>(dice.positive()));
+  return weights;
 }
 
 int first_boundary_vertex(const Mesh& mesh) {
@@ -80,6 +91,50 @@ TEST_SUITE("operators") {
         CHECK(boundary_curve(fine, boundary_from(*fine.mesh, v)).points == expected.points);
       }
     }
+  }
+
+  TEST_CASE_TEMPLATE("C is D then D to the last bit", S, double, Rational) {
+    Dice dice(122);
+    for (int trial = 0; trial < 40; ++trial) {
+      CAPTURE(trial);
+      const Mesh mesh = trial % 4 == 0 ? dodecahedron() : random_mesh(dice);
+      Surface<S> surface = random_surface<S>(dice, mesh, 1 + trial % 5);
+      if (trial % 3 != 0) surface.tags = random_corners(dice, mesh, 3);
+      const KernelWeights<S> weights = random_weights<S>(dice, mesh, mesh.vertices() / 2);
+      for (const KernelWeights<S>* w : {static_cast<const KernelWeights<S>*>(nullptr), &weights})
+        CHECK(convolve(surface, w) == to_primal(surface, to_dual(surface, w)));
+    }
+  }
+
+  TEST_CASE("C on triangles with a weight per vertex that is 1 everywhere is C without weights") {
+    Dice dice(123);
+    for (const auto& [name, mesh] : triangle_meshes()) {
+      CAPTURE(name);
+      const auto surface = random_surface<Rational>(dice, mesh);
+      KernelWeights<Rational> ones = random_weights<Rational>(dice, mesh, mesh.vertices());
+      for (Rational& f : ones.f.plain.values) f = Rational(1);
+      CHECK(convolve_triangles(surface, &ones) == convolve_triangles<Rational>(surface, nullptr));
+    }
+  }
+
+  TEST_CASE("three columns come out as each of them alone to the last bit") {
+    Dice dice(124);
+    const auto check = [&](const Word& word, const Mesh& mesh) {
+      const auto surface = random_surface<double>(dice, mesh);
+      const Points<double> together = run(word, surface, 2).points;
+      for (int c = 0; c < 3; ++c) {
+        Surface<double> alone = surface;
+        alone.points = surface.points.col(c);
+        CHECK(run(word, alone, 2).points == together.col(c));
+      }
+    };
+    const KernelPtr third = constant(ratio(1, 3));
+    for (const char* atoms : {"UCP", "UCCP", "UDDD", "U3CP"}) {
+      CAPTURE(atoms);
+      check(scheme(atoms, third, third, third), *grid<Rational>(3, 2).mesh);
+      if (atoms[1] != '3') check(scheme(atoms, third, third, third), prism(5));
+    }
+    for (const auto& [name, mesh] : triangle_meshes()) check(on_triangles(scheme("UCCP", third, third, third)), mesh);
   }
 
   TEST_CASE("a corner inside stays under words of even D and moves nothing else") {

@@ -4,7 +4,6 @@
 
 #include <Eigen/QR>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 #include <optional>
@@ -13,7 +12,6 @@
 #include "operators/interrupt.h"
 #include "operators/matrix.h"
 #include "operators/modes.h"
-#include "operators/neighbourhood.h"
 
 namespace udcp {
 namespace {
@@ -25,12 +23,6 @@ std::size_t at(int k) { return Mesh::i(k); }
 
 constexpr int settling_rounds = 12;  // irregular faces and vertices leave a neighbourhood after a few rounds
 constexpr int drifting_rounds = 52;  // alpha has then lost the bits of a double
-
-// Rows that take the points of a neighbourhood to its limit point and two tangents (zero rows where there is no tangent plane).
-struct LimitStencil {
-  Row point;
-  std::array<Row, 2> tangent;
-};
 
 bool is_stationary(const Word& word) {
   for (const Item& item : word.tail) {
@@ -103,9 +95,8 @@ class Settling {
   Settling(const Word& word, int rings, const RunControl& control)
       : word_(word), rings_(rings), control_(control), first_item_(first_tail_item(word, control)) {}
 
-  // Runs from `start`; afterwards `power` takes its points to those of `last`, and `repeating` takes `last` to itself.
+  // Runs from `start`; afterwards `steps` take its points to those of `last`, and `repeating` takes `last` to itself.
   void settle(const Neighbourhood& start) {
-    power = Matrix::Identity(static_cast<Eigen::Index>(start.vertex.size()), static_cast<Eigen::Index>(start.vertex.size()));
     last = start;
     const bool stationary = is_stationary(word_);
     int item = first_item_;
@@ -117,7 +108,7 @@ class Settling {
         return;
       }
       if (stationary && round >= settling_rounds) break;
-      power = step * power;
+      steps.push_back(step);
       last = std::move(next);
     }
     throw Error(ErrorKind::word, "E_NO_LIMIT",
@@ -125,7 +116,23 @@ class Settling {
                 "refine a few rounds first: (mesh |> word^3) |> limit(word)");
   }
 
-  Matrix power, repeating;
+  // Rows on `last` as rows on the start: the limit point, and tangents whose sum is 0. Every step halves a tangent or so, but not
+  // the rounding of its sum, which many steps would make all there is; so it is taken out at every step.
+  void pull_back(Row& point, std::array<Row, 2>& tangent) const {
+    for (auto step = steps.rbegin(); step != steps.rend(); ++step) {
+      point = point * *step;
+      point /= point.sum();
+      for (Row& row : tangent) {
+        row = row * *step;
+        row -= row.sum() * point;
+        const double size = row.cwiseAbs().sum();
+        if (size > 0) row /= size;  // weights of the order of one, whatever the number of rounds
+      }
+    }
+  }
+
+  std::vector<Matrix> steps;
+  Matrix repeating;
   Neighbourhood last;
 
  private:
@@ -240,20 +247,21 @@ std::optional<Tangents> boundary_tangents(const Matrix& a, const Neighbourhood& 
 LimitStencil stencil_of(const Word& word, const Neighbourhood& start, int rings, const RunControl& control) {
   Settling settling(word, rings, control);
   settling.settle(start);
-  LimitStencil result;
-  result.point = limit_row(settling.repeating) * settling.power;
-  result.point /= result.point.sum();
   const Matrix& a = settling.repeating;
   const Mesh& mesh = settling.last.mesh;
-  const std::optional<Tangents> tangents = mesh.on_boundary(0) ? boundary_tangents(a, settling.last, rings) : inner_tangents(a);
+  LimitStencil result;
+  result.point = limit_row(a);
   for (Row& row : result.tangent) row = Row::Zero(result.point.size());
-  if (!tangents) return result;
-  const Matrix answers = right_answers(a, tangents->rows, tangents->first, tangents->second);
-  const bool clockwise = orientation(mesh, answers.col(0), answers.col(1)) < 0;
-  for (std::size_t k = 0; k < 2; ++k) {
-    result.tangent[k] = tangents->rows.row(static_cast<Eigen::Index>(clockwise ? 1 - k : k)) * settling.power;
-    result.tangent[k] /= result.tangent[k].cwiseAbs().sum();  // weights of the order of one, whatever the number of rounds was
+  const std::optional<Tangents> tangents = mesh.on_boundary(0) ? boundary_tangents(a, settling.last, rings) : inner_tangents(a);
+  if (tangents) {
+    const Matrix answers = right_answers(a, tangents->rows, tangents->first, tangents->second);
+    const bool clockwise = orientation(mesh, answers.col(0), answers.col(1)) < 0;
+    for (std::size_t k = 0; k < 2; ++k) {
+      Row& row = result.tangent[k] = tangents->rows.row(static_cast<Eigen::Index>(clockwise ? 1 - k : k));
+      row /= row.cwiseAbs().sum();
+    }
   }
+  settling.pull_back(result.point, result.tangent);
   return result;
 }
 
@@ -278,10 +286,18 @@ int rings_of(const Word& word) {
 
 }  // namespace
 
-Limit limit(const Word& word, const Surface<double>& surface, const RunControl& control) {
+int limit_rings(const Word& word) {
   validate(word);
   require_limit(word);
-  const int vertices = surface.mesh->vertices(), rings = rings_of(word);
+  return rings_of(word);
+}
+
+LimitStencil limit_stencil(const Word& word, const Neighbourhood& around, const RunControl& control) {
+  return stencil_of(word, around, limit_rings(word), control);
+}
+
+Limit limit(const Word& word, const Surface<double>& surface, const RunControl& control) {
+  const int vertices = surface.mesh->vertices(), rings = limit_rings(word);
   const Surface<double> base = word.head.empty() || control.first_item > 0 ? surface : run(word, surface, 0, control);
   if (word.triangles && !base.mesh->all_faces_have(3)) run(word, surface, 1, control);  // throws, naming the face
   std::map<std::vector<int>, LimitStencil> known;

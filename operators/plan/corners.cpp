@@ -1,0 +1,67 @@
+// All blocks have the same pattern: one table is shifted to every face, and its border is replaced.
+#include "operators/plan/corners.h"
+
+#include "operators/plan/block.h"
+
+namespace udcp {
+namespace {
+
+std::size_t at(int k) { return static_cast<std::size_t>(k); }
+std::uint32_t number(int k) { return static_cast<std::uint32_t>(k); }
+
+}  // namespace
+
+template <int N>
+ResultNumbers<N>::ResultNumbers(const Mesh& mesh, int segments)
+    : mesh_(mesh),
+      n_(number(segments)),
+      inside_(number(Block<N>{segments}.interior())),
+      first_edge_(number(mesh.vertices())),
+      first_face_(first_edge_ + number(mesh.edges()) * (n_ - 1)) {
+  const Block<N> block{segments};
+  const auto add = [&](Place place) {
+    const auto border = block.border(place);
+    if (border.edge >= 0)
+      patches_.push_back({number(static_cast<int>(interior_.size())), number(border.edge) * n_ + number(border.step)});
+    interior_.push_back(border.edge < 0 ? number(block.interior_row(place)) : 0);
+  };
+  block.for_each_face([&](auto... places) { (add(places), ...); });
+}
+
+template <int N>
+std::uint32_t ResultNumbers<N>::in_edge(int h) const {
+  const std::uint32_t first = first_edge_ + number(mesh_.edge[at(h)]) * (n_ - 1);
+  return along(h) ? first : first + n_ - 2;
+}
+
+template <int N>
+std::uint32_t ResultNumbers<N>::in_face(int f) const {
+  return first_face_ + number(f) * inside_;
+}
+
+template <int N>
+void ResultNumbers<N>::write_border(int f, std::uint32_t* border) const {
+  for (int h = N * f; h < N * f + N; ++h) {
+    *border++ = number(mesh_.vertex[at(h)]);
+    const std::uint32_t first = in_edge(h), direction = along(h) ? 1U : ~0U;
+    for (std::uint32_t s = 0; s + 1 < n_; ++s) *border++ = first + s * direction;
+  }
+}
+
+template <int N>
+void ResultNumbers<N>::write(int first, int last, std::uint32_t* corners) const {
+  std::vector<std::uint32_t> border(N * n_);
+  const std::size_t size = interior_.size();
+  for (int f = first; f < last; ++f) {
+    std::uint32_t* out = corners + at(f) * size;
+    const std::uint32_t shift = in_face(f);
+    for (std::size_t k = 0; k < size; ++k) out[k] = interior_[k] + shift;
+    write_border(f, border.data());
+    for (const Patch& patch : patches_) out[patch.at] = border[patch.border];
+  }
+}
+
+template class ResultNumbers<3>;
+template class ResultNumbers<4>;
+
+}  // namespace udcp

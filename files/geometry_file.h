@@ -13,8 +13,13 @@
 
 namespace udcp {
 
+template <class R>
+struct FlatMesh;  // operators/plan/flat_mesh.h
+
 /// What a reader noticed and went on after: "cage.obj:7: unknown keyword 'foo'; ignored".
 using Warnings = std::vector<std::string>;
+/// Whether a warning of load says that it dropped vertices without faces, for those to whom that is an error.
+bool says_unused(const std::string& warning);
 
 /// Extension (or `format` if not empty: "obj", "off", "ply", "stl", "glb", "gltf") decides. Decimals become exact in S = Rational
 /// (a binary float is the dyadic number that it is); double rounds to nearest. Throws Error{file} with code, the file, the line
@@ -41,15 +46,24 @@ struct SaveOptions {
   std::map<std::string, std::string> parameters;  // glTF extras
   std::string colour_attribute;                   // scalar attribute shown as COLOR_0 (glTF only)
   bool zero_matters = false;                      // of that attribute: values that are not positive are red
-  const Points<double>* normals = nullptr;  // unit normals per vertex (OBJ, glTF); null: area-weighted face normals (glTF only)
+  const Points<double>* normals = nullptr;  // unit normals per vertex (OBJ, PLY, glTF); null: area-weighted ones (glTF only)
   std::string format;                       // empty: by extension. "ply-ascii" besides the names of load
 };
 /// OBJ (tags as groups corner, lat, lon), PLY (binary, with attributes), OFF, STL, glTF/GLB (triangles, float). Text numbers
-/// round-trip. Written by write_file. Throws Error{input}: E_FORMAT (unknown extension), E_NOT_FINITE naming the vertex,
-/// E_FLOAT_RANGE (a coordinate does not fit the floats of STL and glTF), E_ATTRIBUTE (no such colour attribute), and what
-/// validate throws.
+/// round-trip. The file appears as with write_file, but is written piece by piece and never lies in memory. Throws Error{input}:
+/// E_FORMAT (unknown extension), E_NOT_FINITE naming the vertex, E_FLOAT_RANGE (a coordinate does not fit the floats of STL and
+/// glTF), E_ATTRIBUTE (no such colour attribute), E_POINTS (normals that do not fit), and what validate throws;
+/// Error{limit, "E_TOO_LARGE"} for more than the format can count (glTF: 4 GiB). All of it before the file is touched.
 void save(const Surface<double>& surface, const std::filesystem::path& file, const SaveOptions& options = {});
 std::string save_bytes(const Surface<double>& surface, const std::string& format, const SaveOptions& options = {});
+
+/// The same for a flat mesh of floats or doubles, whose arrays go to the file as they are where the format allows it (GLB and PLY
+/// from floats). Its normals are those of the mesh (OBJ, PLY, glTF). Besides: E_NO_FACES, E_FACE_SIZE, E_POINTS where its arrays
+/// do not fit each other, E_INDEX for a corner beyond the vertices. OFF holds 0 for the number of edges, which is not known.
+template <class R>
+void save(const FlatMesh<R>& mesh, const std::filesystem::path& file, const SaveOptions& options = {});
+template <class R>
+std::string save_bytes(const FlatMesh<R>& mesh, const std::string& format, const SaveOptions& options = {});
 
 /// A curve as OBJ (`l` line) or SVG (a picture).
 void save(const Polyline<double>& curve, const std::filesystem::path& file, const SaveOptions& options = {});

@@ -1,6 +1,7 @@
 // Headers, chunks and padding of GLB files.
 #include "files/gltf_container.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace udcp {
@@ -63,22 +64,38 @@ GltfContainer split_gltf(const Input& input) {
   return result;
 }
 
+std::string glb_head(std::string_view json, std::size_t binary_size) {
+  std::string glb = "glTF";
+  put_word(glb, 2);
+  put_word(glb, 12 + 8 + json.size() + 8 + binary_size);
+  put_word(glb, json.size());
+  put_word(glb, json_chunk);
+  glb += json;
+  put_word(glb, binary_size);
+  put_word(glb, binary_chunk);
+  return glb;
+}
+
 std::string pack_glb(std::string json, std::string_view binary, const Input& input) {
   json.resize((json.size() + 3) / 4 * 4, ' ');
   const std::size_t filled = (binary.size() + 3) / 4 * 4, total = 12 + 8 + json.size() + 8 + filled;
   if (total > std::numeric_limits<std::uint32_t>::max()) input.fail(0, "E_FILE_TOO_LARGE", "the file has more than 4 GiB");
-  std::string glb = "glTF";
+  std::string glb = glb_head(json, filled);
   glb.reserve(total);
-  put_word(glb, 2);
-  put_word(glb, total);
-  put_word(glb, json.size());
-  put_word(glb, json_chunk);
-  glb += json;
-  put_word(glb, filled);
-  put_word(glb, binary_chunk);
   glb += binary;
   glb.resize(total, '\0');
   return glb;
+}
+
+void write_base64(Writer& out, std::string_view bytes) {
+  constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  for (; !bytes.empty(); bytes.remove_prefix(std::min<std::size_t>(3, bytes.size()))) {
+    std::uint32_t bits = 0;
+    for (std::size_t k = 0; k < 3; ++k) bits = bits << 8 | (k < bytes.size() ? static_cast<unsigned char>(bytes[k]) : 0U);
+    char* to = out.room(4);
+    for (std::size_t k = 0; k < 4; ++k) to[k] = k <= bytes.size() ? digits[bits >> (18 - 6 * k) & 63] : '=';
+    out.filled(to + 4);
+  }
 }
 
 }  // namespace udcp

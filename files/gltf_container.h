@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "files/scanner.h"
+#include "files/writer.h"
 
 namespace udcp {
 
@@ -20,5 +21,12 @@ GltfContainer split_gltf(const Input& input);
 
 /// A GLB with both chunks, filled up to multiples of 4. Throws Error{file, "E_FILE_TOO_LARGE"} past 4 GiB.
 std::string pack_glb(std::string json, std::string_view binary, const Input& input);
+
+/// What stands before the binary chunk of a GLB: its header, the JSON chunk, the header of the binary chunk. The lengths of both
+/// are multiples of 4.
+std::string glb_head(std::string_view json, std::size_t binary_size);
+
+/// The bytes in base64.
+void write_base64(Writer& out, std::string_view bytes);
 
 }  // namespace udcp

@@ -1,7 +1,7 @@
 // Matrix Market text: banner, comments, sizes, entries.
 #include "files/matrix_market.h"
 
-#include "files/text_writer.h"
+#include "files/writer.h"
 
 namespace udcp {
 namespace {
@@ -16,7 +16,7 @@ std::string note(const double&) {
   return {};
 }
 
-void write_comment(TextWriter& out, const std::string& comment) {
+void write_comment(Writer& out, const std::string& comment) {
   for (std::size_t from = 0; from < comment.size();) {
     const std::size_t to = std::min(comment.find('\n', from), comment.size());
     out << "% " << std::string_view(comment).substr(from, to - from) << '\n';
@@ -25,7 +25,7 @@ void write_comment(TextWriter& out, const std::string& comment) {
 }
 
 template <class S>
-void write_notes(TextWriter& out, const Points<S>& matrix) {
+void write_notes(Writer& out, const Points<S>& matrix) {
   bool first = true;
   for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
     for (Eigen::Index j = 0; j < matrix.cols(); ++j) {
@@ -51,7 +51,7 @@ double rounded(const Points<S>& matrix, Eigen::Index i, Eigen::Index j) {
 
 template <class S>
 std::string matrix_market(const Points<S>& matrix, MatrixLayout layout, const std::string& comment) {
-  TextWriter out(static_cast<std::size_t>(matrix.size()) * 24 + 100);
+  Writer out(static_cast<std::size_t>(matrix.size()) * 24 + 100);
   out << "%%MatrixMarket matrix " << (layout == MatrixLayout::coordinate ? "coordinate" : "array") << " real general\n";
   write_comment(out, comment);
   write_notes(out, matrix);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "files/obj_lines.h"
 #include "files/raw_mesh.h"
 
 namespace udcp {
@@ -12,25 +13,13 @@ constexpr int most_unknown_warnings = 10;
 
 enum class Group { plain, corner, latitude, longitude };
 
-bool is_known(std::string_view keyword) {
-  constexpr std::array<std::string_view, 16> known{"vt",         "usemtl",    "mtllib", "s",   "usemap",   "maplib",
-                                                   "shadow_obj", "trace_obj", "bevel",  "lod", "c_interp", "d_interp",
-                                                   "mg",         "call",      "csh",    "vp"};
-  return std::ranges::find(known, keyword) != known.end();
-}
-
-bool is_free_form(std::string_view keyword) {
-  constexpr std::array<std::string_view, 18> words{"cstype", "deg",  "bmat", "step", "curv", "curv2", "surf",  "parm", "trim",
-                                                   "hole",   "scrv", "sp",   "end",  "con",  "ctech", "stech", "bsp",  "bzp"};
-  return std::ranges::find(words, keyword) != words.end();
-}
-
 template <class S>
 class ObjReader {
  public:
   explicit ObjReader(const Input& input) : input_(input), scan_(input, text_of(input), {.backslash_joins = true}) {}
 
   void run() {
+    reserve();
     do {
       const std::string_view keyword = scan_.token();
       if (!keyword.empty()) statement(keyword);
@@ -57,7 +46,11 @@ class ObjReader {
   Polyline<S> curve();
 
  private:
+  void reserve();
   void statement(std::string_view keyword);
+  bool read_plain_vertex();
+  bool read_plain_face();
+  void add_corner(int v, int normal);
   void read_vertex();
   void read_normal();
   void read_face();
@@ -83,10 +76,27 @@ class ObjReader {
   int unknown_ = 0;
 };
 
+/// Room for what the lines seem to hold, so that long lists do not move while they grow.
+template <class S>
+void ObjReader<S>::reserve() {
+  const std::string_view text = scan_.ahead();
+  std::size_t vertices = 0, faces = 0;
+  for (std::size_t at = 0; at + 1 < text.size(); ++at) {
+    vertices += text[at] == 'v' && text[at + 1] == ' ' ? 1U : 0U;
+    faces += text[at] == 'f' && text[at + 1] == ' ' ? 1U : 0U;
+    at = std::min(text.find('\n', at), text.size() - 1);
+  }
+  if (vertices + faces > text.size() / 8) return;  // "v 0 0 0\n" and "f 1 2 3\n" are the shortest that are right
+  raw_.coordinates.reserve(3 * vertices);
+  raw_.begin.reserve(faces + 1);
+  raw_.face_lines.reserve(faces);
+  raw_.corners.reserve(4 * faces);
+}
+
 template <class S>
 void ObjReader<S>::statement(std::string_view keyword) {
-  if (keyword == "v") return read_vertex();
-  if (keyword == "f" || keyword == "fo") return read_face();
+  if (keyword == "v") return read_plain_vertex() ? void() : read_vertex();
+  if (keyword == "f" || keyword == "fo") return read_plain_face() ? void() : read_face();
   if (keyword == "vn") return read_normal();
   if (keyword == "g" || keyword == "o") return read_group();
   if (keyword == "l") return read_line_element();
@@ -95,6 +105,24 @@ void ObjReader<S>::statement(std::string_view keyword) {
   if (!is_free_form(keyword)) return note_unknown(keyword);
   if (!warned_free_form_) input_.warn(scan_.line(), "free-form geometry (" + in_quotes(keyword) + ") is not read; ignored");
   warned_free_form_ = true;
+}
+
+/// Nearly every line of a large file is three plain numbers. Anything else is left, with nothing taken, to read_vertex, which
+/// knows what may stand there and says what may not.
+template <class S>
+bool ObjReader<S>::read_plain_vertex() {
+  const std::string_view text = scan_.ahead();
+  const char *at = text.data(), *end = at + text.size();
+  S place[3];
+  for (S& value : place) {
+    if (at_line_end(at, end)) return false;
+    at = plain_number(at, end, value);
+    if (at == nullptr || (at != end && *at > ' ')) return false;
+  }
+  if (!at_line_end(at, end)) return false;
+  for (S& value : place) raw_.coordinates.push_back(std::move(value));
+  scan_.jump(at);
+  return true;
 }
 
 template <class S>
@@ -138,12 +166,38 @@ int ObjReader<S>::read_index(std::string_view digits, std::size_t count, const c
                                  " were given so far");
 }
 
+template <class S>
+void ObjReader<S>::add_corner(int v, int normal) {
+  forward_ = forward_ || static_cast<std::size_t>(v) >= vertices();
+  if (normal >= 0 && corner_normal_.size() < raw_.corners.size()) corner_normal_.resize(raw_.corners.size(), -1);
+  if (normal >= 0 || !corner_normal_.empty()) corner_normal_.push_back(normal);
+  raw_.corners.push_back(v);
+}
+
+/// Up to eight corners of one form, separated by spaces. Anything else is left, with nothing taken, to read_face.
+template <class S>
+bool ObjReader<S>::read_plain_face() {
+  const std::string_view text = scan_.ahead();
+  const char *at = text.data(), *end = at + text.size();
+  std::array<PlainCorner, 8> corners;
+  std::size_t size = 0;
+  for (; !at_line_end(at, end); ++size) {
+    if (size == corners.size() || !corners[size].read(at, end) || (at != end && *at > ' ')) return false;
+    if (corners[size].form != corners[0].form) return false;
+  }
+  if (size < 3) return false;
+  for (std::size_t k = 0; k < size; ++k) add_corner(corners[k].vertex - 1, corners[k].normal - 1);
+  expect_int_count(input_, raw_.corners.size(), "corners");
+  raw_.close_face(scan_.line());
+  scan_.jump(at);
+  return true;
+}
+
 /// v, v/vt, v//vn or v/vt/vn.
 template <class S>
 void ObjReader<S>::read_corner(std::string_view token) {
   const auto slash = token.find('/');
   const int v = read_index(token.substr(0, slash), vertices(), "vertex");
-  forward_ = forward_ || static_cast<std::size_t>(v) >= vertices();
   int normal = -1;
   if (slash != std::string_view::npos) {
     std::string_view rest = token.substr(slash + 1);
@@ -158,17 +212,7 @@ void ObjReader<S>::read_corner(std::string_view token) {
       scan_.fail("E_FILE_INDEX", "texture vertex 0 does not exist", "indices count from 1");
     if (!normal_digits.empty()) normal = read_index(normal_digits, normals_.size() / 3, "normal");
   }
-  if (normal >= 0 && corner_normal_.size() < raw_.corners.size()) corner_normal_.resize(raw_.corners.size(), -1);
-  if (normal >= 0 || !corner_normal_.empty()) corner_normal_.push_back(normal);
-  raw_.corners.push_back(v);
-}
-
-/// Which of the four forms of a corner this is.
-int form_of(std::string_view token) {
-  const auto slash = token.find('/');
-  if (slash == std::string_view::npos) return 0;
-  if (token.substr(slash).starts_with("//")) return 1;
-  return token.find('/', slash + 1) == std::string_view::npos ? 2 : 3;
+  add_corner(v, normal);
 }
 
 template <class S>

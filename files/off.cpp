@@ -1,6 +1,5 @@
 // OFF, with colours (COFF: passed over) and normals (NOFF: attributes nx, ny, nz). One element a line; '#' opens comments.
 #include "files/raw_mesh.h"
-#include "files/text_writer.h"
 
 namespace udcp {
 namespace {
@@ -151,21 +150,22 @@ RawMesh<S> read_off(const Input& input) {
   return OffReader<S>(input).mesh();
 }
 
-std::string write_off(const Surface<double>& surface, const SaveOptions& options) {
-  check_for_writing(surface);
-  const Mesh& mesh = *surface.mesh;
-  TextWriter out(static_cast<std::size_t>(mesh.vertices()) * 60 + static_cast<std::size_t>(mesh.half_edges()) * 9 + 100);
-  out << "OFF\n# " << comment_line(options.word) << '\n' << mesh.vertices() << ' ' << mesh.faces() << ' ' << mesh.edges() << '\n';
-  for (int v = 0; v < mesh.vertices(); ++v) {
-    for (Eigen::Index c = 0; c < 3; ++c) out << coordinate(surface.points, v, c) << (c < 2 ? ' ' : '\n');
-  }
-  for (int f = 0; f < mesh.faces(); ++f) {
-    out << mesh.size(f);
-    for (const int v : mesh.corners(f)) out << ' ' << v;
+template <class R>
+void write_off(Writer& out, const MeshView<R>& mesh, const SaveOptions& options) {
+  check_for_writing(mesh);
+  const int edges = mesh.surface ? mesh.surface->mesh->edges() : 0;  // readers ignore the number; 0 says that it is not known
+  out << "OFF\n# " << comment_line(options.word) << '\n' << mesh.vertices() << ' ' << mesh.faces() << ' ' << edges << '\n';
+  for (std::size_t k = 0; k < mesh.points.size(); ++k) out << mesh.points[k] << (k % 3 < 2 ? ' ' : '\n');
+  const std::size_t faces = mesh.faces();
+  for (std::size_t f = 0; f < faces; ++f) {
+    out << mesh.face(f).size();
+    for (const std::uint32_t v : mesh.face(f)) out << ' ' << v;
     out << '\n';
   }
-  return out.take();
 }
+
+template void write_off(Writer&, const MeshView<float>&, const SaveOptions&);
+template void write_off(Writer&, const MeshView<double>&, const SaveOptions&);
 
 #define UDCP_READ_OFF(S) template RawMesh<S> read_off<S>(const Input&);
 UDCP_FOR_EACH_COORDINATE(UDCP_READ_OFF)

@@ -1,9 +1,12 @@
-// PLY output: coordinates and attributes as doubles, n-gons as lists; binary little endian or ascii.
-#include <bit>
+// PLY output: coordinates and normals in the numbers of the mesh, attributes as doubles, n-gons as lists; binary little endian or
+// ascii.
+#include <algorithm>
+#include <array>
 #include <cstdint>
+#include <cstring>
+#include <limits>
 
 #include "files/raw_mesh.h"
-#include "files/text_writer.h"
 
 namespace udcp {
 namespace {
@@ -15,59 +18,106 @@ std::string property_name(const std::string& name) {
   return result.empty() || result == "x" || result == "y" || result == "z" ? "attribute_" + result : result;
 }
 
-std::string header(const Surface<double>& surface, const SaveOptions& options, bool binary, const char* length_type) {
-  TextWriter out(400);
+/// The columns beside x, y and z.
+template <class R>
+struct Columns {
+  std::span<const R> normals;
+  std::vector<std::pair<std::string, std::span<const double>>> attributes;
+
+  explicit Columns(const MeshView<R>& mesh) {
+    if (mesh.surface) {
+      for (const auto& [name, values] : mesh.surface->attributes) attributes.emplace_back(property_name(name), values);
+    }
+    const auto named = [](const auto& attribute) {
+      return attribute.first == "nx" || attribute.first == "ny" || attribute.first == "nz";
+    };
+    if (std::ranges::none_of(attributes, named)) normals = mesh.normals;
+  }
+  [[nodiscard]] bool empty() const { return normals.empty() && attributes.empty(); }
+};
+
+template <class R>
+void write_header(Writer& out, const MeshView<R>& mesh, const Columns<R>& columns, const SaveOptions& options, bool binary,
+                  bool long_faces) {
+  const char* number = std::is_same_v<R, float> ? "float" : "double";
   out << "ply\nformat " << (binary ? "binary_little_endian" : "ascii") << " 1.0\ncomment " << comment_line(options.word) << '\n';
-  out << "element vertex " << surface.mesh->vertices() << "\nproperty double x\nproperty double y\nproperty double z\n";
-  for (const auto& [name, values] : surface.attributes) out << "property double " << property_name(name) << '\n';
-  out << "element face " << surface.mesh->faces() << "\nproperty list " << length_type << " int vertex_indices\nend_header\n";
-  return out.take();
+  out << "element vertex " << mesh.vertices() << '\n';
+  for (const char* name : {"x", "y", "z"}) out << "property " << number << ' ' << name << '\n';
+  if (!columns.normals.empty()) {
+    for (const char* name : {"nx", "ny", "nz"}) out << "property " << number << ' ' << name << '\n';
+  }
+  for (const auto& [name, values] : columns.attributes) out << "property double " << name << '\n';
+  out << "element face " << mesh.faces() << "\nproperty list " << (long_faces ? "int" : "uchar");
+  out << " int vertex_indices\nend_header\n";
 }
 
-template <class Unsigned>
-void put(std::string& bytes, Unsigned value) {
-  for (std::size_t k = 0; k < sizeof value; ++k) bytes.push_back(static_cast<char>(value >> (8 * k) & 0xff));
+template <class R>
+void write_binary(Writer& out, const MeshView<R>& mesh, const Columns<R>& columns, bool long_faces) {
+  if (columns.empty()) {
+    out.write(mesh.points);
+  } else {
+    const std::size_t numbers = columns.normals.empty() ? 3 : 6;
+    for (std::size_t v = 0; v < mesh.vertices(); ++v) {
+      char* to = out.room(numbers * sizeof(R) + columns.attributes.size() * sizeof(double));
+      for (std::size_t c = 0; c < 3; ++c) to = put_bytes(to, mesh.points[3 * v + c]);
+      for (std::size_t c = 0; c + 3 < numbers; ++c) to = put_bytes(to, columns.normals[3 * v + c]);
+      for (const auto& [name, values] : columns.attributes) to = put_bytes(to, values[v]);
+      out.filled(to);
+    }
+  }
+  const std::size_t faces = mesh.faces();
+  for (std::size_t f = 0; f < faces; ++f) {
+    const auto corners = mesh.face(f);
+    char* to = out.room(4 + corners.size_bytes());
+    const auto size = static_cast<std::uint32_t>(corners.size());
+    to = long_faces ? put_bytes(to, size) : put_bytes(to, static_cast<std::uint8_t>(size));
+    if (size == 4) {  // a copy of known length is an instruction or two
+      std::memcpy(to, corners.data(), 16);
+    } else {
+      std::memcpy(to, corners.data(), corners.size_bytes());
+    }
+    out.filled(to + corners.size_bytes());
+  }
+}
+
+template <class R>
+void write_text(Writer& out, const MeshView<R>& mesh, const Columns<R>& columns) {
+  for (std::size_t v = 0; v < mesh.vertices(); ++v) {
+    for (std::size_t c = 0; c < 3; ++c) out << (c > 0 ? " " : "") << mesh.points[3 * v + c];
+    for (std::size_t c = 0; c < 3 && !columns.normals.empty(); ++c) out << ' ' << columns.normals[3 * v + c];
+    for (const auto& [name, values] : columns.attributes) out << ' ' << values[v];
+    out << '\n';
+  }
+  const std::size_t faces = mesh.faces();
+  for (std::size_t f = 0; f < faces; ++f) {
+    out << mesh.face(f).size();
+    for (const std::uint32_t v : mesh.face(f)) out << ' ' << v;
+    out << '\n';
+  }
 }
 
 }  // namespace
 
-std::string write_ply(const Surface<double>& surface, const SaveOptions& options, bool binary) {
-  check_for_writing(surface);
-  const Mesh& mesh = *surface.mesh;
-  bool long_faces = false;
-  for (int f = 0; f < mesh.faces(); ++f) long_faces = long_faces || mesh.size(f) > 255;
-  const std::string head = header(surface, options, binary, long_faces ? "int" : "uchar");
-  const std::size_t columns = 3 + surface.attributes.size();
+template <class R>
+void write_ply(Writer& out, const MeshView<R>& mesh, const SaveOptions& options, bool binary) {
+  if (mesh.vertices() > static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max())) {
+    throw Error(ErrorKind::limit, "E_TOO_LARGE", "a PLY file with indices of type int cannot hold more than 2^31 - 1 vertices",
+                "refine less");
+  }
+  check_for_writing(mesh);
+  const Columns<R> columns(mesh);
+  if (!columns.normals.empty()) check_normals(mesh);
+  bool long_faces = mesh.sides > 255;
+  for (std::size_t f = 1; f < mesh.begin.size(); ++f) long_faces = long_faces || mesh.begin[f] - mesh.begin[f - 1] > 255;
+  write_header(out, mesh, columns, options, binary, long_faces);
   if (binary) {
-    std::string out = head;
-    out.reserve(head.size() + Mesh::i(mesh.vertices()) * columns * 8 + Mesh::i(mesh.faces() + mesh.half_edges()) * 4);
-    for (int v = 0; v < mesh.vertices(); ++v) {
-      for (Eigen::Index c = 0; c < 3; ++c) put(out, std::bit_cast<std::uint64_t>(coordinate(surface.points, v, c)));
-      for (const auto& [name, values] : surface.attributes) put(out, std::bit_cast<std::uint64_t>(values[Mesh::i(v)]));
-    }
-    for (int f = 0; f < mesh.faces(); ++f) {
-      if (long_faces) {
-        put(out, static_cast<std::uint32_t>(mesh.size(f)));
-      } else {
-        put(out, static_cast<std::uint8_t>(mesh.size(f)));
-      }
-      for (const int v : mesh.corners(f)) put(out, static_cast<std::uint32_t>(v));
-    }
-    return out;
+    write_binary(out, mesh, columns, long_faces);
+  } else {
+    write_text(out, mesh, columns);
   }
-  TextWriter out(head.size() + Mesh::i(mesh.vertices()) * columns * 20 + Mesh::i(mesh.half_edges()) * 9);
-  out << head;
-  for (int v = 0; v < mesh.vertices(); ++v) {
-    for (Eigen::Index c = 0; c < 3; ++c) out << (c > 0 ? " " : "") << coordinate(surface.points, v, c);
-    for (const auto& [name, values] : surface.attributes) out << ' ' << values[Mesh::i(v)];
-    out << '\n';
-  }
-  for (int f = 0; f < mesh.faces(); ++f) {
-    out << mesh.size(f);
-    for (const int v : mesh.corners(f)) out << ' ' << v;
-    out << '\n';
-  }
-  return out.take();
 }
+
+template void write_ply(Writer&, const MeshView<float>&, const SaveOptions&, bool);
+template void write_ply(Writer&, const MeshView<double>&, const SaveOptions&, bool);
 
 }  // namespace udcp

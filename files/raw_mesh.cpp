@@ -27,6 +27,8 @@ std::vector<int> number_used(int vertices, const std::vector<int>& corners) {
   return index;
 }
 
+constexpr std::string_view unused = " used by no face and dropped (";
+
 void warn_unused(const Input& input, const std::vector<int>& index, int first_index) {
   const auto count = std::count(index.begin(), index.end(), -1);
   if (count == 0) return;
@@ -36,7 +38,7 @@ void warn_unused(const Input& input, const std::vector<int>& index, int first_in
     if (index[v] < 0) names += (named++ > 0 ? ", " : "") + std::to_string(static_cast<int>(v) + first_index);
   }
   const bool one = count == 1;
-  input.warn(0, std::to_string(count) + (one ? " vertex is" : " vertices are") + " used by no face and dropped (" + names +
+  input.warn(0, std::to_string(count) + (one ? " vertex is" : " vertices are") + std::string(unused) + names +
                     (count > named ? ", ..." : "") + ")");
 }
 
@@ -50,12 +52,13 @@ void warn_unused(const Input& input, const std::vector<int>& index, int first_in
   throw Error(error.kind, error.code, message, error.help);
 }
 
+/// Takes the faces out of `raw`.
 template <class S>
-std::shared_ptr<const Mesh> connect(const RawMesh<S>& raw, const std::vector<int>& index, int used, const Input& input) {
+std::shared_ptr<const Mesh> connect(RawMesh<S>& raw, const std::vector<int>& index, int used, const Input& input) {
   try {
-    std::vector<int> corners = raw.corners;
     if (used == raw.vertices())
-      return std::make_shared<const Mesh>(make_mesh(used, raw.begin, std::move(corners), raw.first_index));
+      return std::make_shared<const Mesh>(make_mesh(used, std::move(raw.begin), std::move(raw.corners), raw.first_index));
+    std::vector<int> corners = raw.corners;
     try {
       for (int& v : corners) v = index[at(v)];
       return std::make_shared<const Mesh>(make_mesh(used, raw.begin, std::move(corners), raw.first_index));
@@ -187,29 +190,46 @@ void warn_faces(const Input& input, const Mesh& mesh, const Points<double>& poin
   warn_strange(input, crossed, "a quad crosses itself", "quads cross themselves", line(crossed), first_index);
 }
 
-void warn_vertices(const Input& input, const Mesh& mesh, const Points<double>& points, const std::vector<int>& names) {
+/// Points as doubles; `room` holds them where they are none.
+const Points<double>& rounded(const Points<double>& points, Points<double>&) { return points; }
+template <class S>
+const Points<double>& rounded(const Points<S>& points, Points<double>& room) {
+  room.resize(points.rows(), points.cols());
+  for (Eigen::Index k = 0; k < points.size(); ++k) room.data()[k] = approximate<S>(points.data()[k]);
+  return room;
+}
+
+/// `index` gives the vertices of the file their numbers in the mesh.
+void warn_vertices(const Input& input, const Mesh& mesh, const Points<double>& points, const std::vector<int>& index,
+                   int first_index) {
+  const auto in_file = [&](Strange strange) {
+    if (strange.count > 0) strange.first = static_cast<int>(std::ranges::find(index, strange.first) - index.begin());
+    return strange;
+  };
   Strange thin;
   std::vector<std::tuple<double, double, double, int>> rim;
   for (int v = 0; v < mesh.vertices(); ++v) {
     if (mesh.on_boundary(v)) {
       rim.emplace_back(points(v, 0) + 0.0, points(v, 1) + 0.0, points(v, 2) + 0.0, v);
     } else if (mesh.valence(v) == 2) {
-      thin.note(names[at(v)]);
+      thin.note(v);
     }
   }
-  warn_strange(input, thin, "an interior vertex has valence 2", "interior vertices have valence 2", 0, 0);
+  warn_strange(input, in_file(thin), "an interior vertex has valence 2", "interior vertices have valence 2", 0, first_index);
   std::ranges::sort(rim);
   Strange seam;
   for (std::size_t k = 1; k < rim.size(); ++k) {
     const auto& [x, y, z, v] = rim[k - 1];
     const auto& [x2, y2, z2, w] = rim[k];
-    if (x == x2 && y == y2 && z == z2) seam.note(names[at(w)]);
+    if (x == x2 && y == y2 && z == z2) seam.note(w);
   }
-  warn_strange(input, seam, "a boundary vertex lies on another one; are seams meant to be welded?",
-               "boundary vertices lie on others; are seams meant to be welded?", 0, 0);
+  warn_strange(input, in_file(seam), "a boundary vertex lies on another one; are seams meant to be welded?",
+               "boundary vertices lie on others; are seams meant to be welded?", 0, first_index);
 }
 
 }  // namespace
+
+bool says_unused(const std::string& warning) { return warning.find(unused) != std::string::npos; }
 
 void expect_int_count(const Input& input, std::size_t count, const char* what) {
   if (count <= static_cast<std::size_t>(std::numeric_limits<int>::max())) return;
@@ -257,18 +277,15 @@ Surface<S> build(RawMesh<S> raw, const Input& input) {
   }
   surface.points.resize(used, 3);
   std::ranges::move(raw.coordinates, surface.points.data());
+  raw.coordinates = {};
   surface.attributes = std::move(raw.attributes);
   set_edge_tags(surface, raw, index, input);
   set_corner_tags(surface, raw, index, input);
   if (input.warnings) {
-    Points<double> rounded(used, 3);
-    for (Eigen::Index k = 0; k < rounded.size(); ++k) rounded.data()[k] = approximate<S>(surface.points.data()[k]);
-    std::vector<int> names;  // per vertex its number in the file
-    for (std::size_t v = 0; v < index.size(); ++v) {
-      if (index[v] >= 0) names.push_back(static_cast<int>(v) + raw.first_index);
-    }
-    warn_faces(input, *surface.mesh, rounded, raw.face_lines, raw.first_index);
-    warn_vertices(input, *surface.mesh, rounded, names);
+    Points<double> room;
+    const Points<double>& points = rounded(surface.points, room);
+    warn_faces(input, *surface.mesh, points, raw.face_lines, raw.first_index);
+    warn_vertices(input, *surface.mesh, points, index, raw.first_index);
   }
   return surface;
 }

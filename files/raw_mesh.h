@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "files/mesh_view.h"
 #include "files/scanner.h"
 #include "operators/surface.h"
 
@@ -66,13 +67,20 @@ RawMesh<S> read_gltf(const Input& input);  // .gltf or .glb
 template <class S>
 Polyline<S> read_obj_curve(const Input& input);
 
-std::string write_obj(const Surface<double>& surface, const SaveOptions& options);
 std::string write_obj_curve(const Polyline<double>& curve, const SaveOptions& options);
-std::string write_off(const Surface<double>& surface, const SaveOptions& options);
-std::string write_ply(const Surface<double>& surface, const SaveOptions& options, bool binary);
-std::string write_stl(const Surface<double>& surface, const SaveOptions& options);
-std::string write_gltf(const std::vector<SceneShape>& shapes, bool binary);
-std::string write_gltf_animation(const std::vector<Surface<double>>& frames, bool binary, const SaveOptions& options,
-                                 double frames_per_second);
+/// R = float or double. Everything that can be wrong with the mesh is thrown before the first byte is written.
+template <class R>
+void write_obj(Writer& out, const MeshView<R>& mesh, const SaveOptions& options);
+template <class R>
+void write_off(Writer& out, const MeshView<R>& mesh, const SaveOptions& options);
+template <class R>
+void write_ply(Writer& out, const MeshView<R>& mesh, const SaveOptions& options, bool binary);
+template <class R>
+void write_stl(Writer& out, const MeshView<R>& mesh, const SaveOptions& options);
+template <class R>
+void write_gltf(Writer& out, const MeshView<R>& mesh, const SaveOptions& options, bool binary);
+void write_gltf(Writer& out, const std::vector<SceneShape>& shapes, bool binary);
+void write_gltf_animation(Writer& out, const std::vector<Surface<double>>& frames, bool binary, const SaveOptions& options,
+                          double frames_per_second);
 
 }  // namespace udcp

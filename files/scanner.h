@@ -47,6 +47,28 @@ enum class NumberError { none, malformed, not_finite, too_large };
 NumberError to_number(std::string_view token, double& value);
 template <class S>
 NumberError to_number(std::string_view token, S& value);
+/// Where a plain decimal at `at` ends, after which anything may stand; null where there is none, or none for this number type.
+inline const char* plain_number(const char* at, const char* end, double& value) {
+  const auto [rest, error] = std::from_chars(at, end, value);
+  return error == std::errc() && std::isfinite(value) ? rest : nullptr;
+}
+template <class S>
+const char* plain_number(const char*, const char*, S&) {
+  return nullptr;
+}
+/// A positive integer of at most nine digits at `at`, which moves behind it; 0 where there is none.
+inline int plain_index(const char*& at, const char* end) {
+  int value = 0;
+  for (const char* stop = end - at > 9 ? at + 9 : end; at != stop && *at >= '0' && *at <= '9'; ++at)
+    value = 10 * value + (*at - '0');
+  return at != end && *at >= '0' && *at <= '9' ? 0 : value;
+}
+/// Moves over spaces; whether the line ends there, with LF or CR LF or the text.
+inline bool at_line_end(const char*& at, const char* end) {
+  while (at != end && *at == ' ') ++at;
+  return at == end || *at == '\n' || (*at == '\r' && at + 1 != end && at[1] == '\n');
+}
+
 [[noreturn]] void fail_number(const Input& input, std::int64_t line, NumberError error, std::string_view token, const char* what);
 
 /// The value of a binary floating-point number, which is exact in the exact types.
@@ -104,6 +126,10 @@ class Scanner {
     while (at_ != end_ && !is_newline(*at_)) ++at_;
     return {start, static_cast<std::size_t>(at_ - start)};
   }
+
+  /// For readers that know a plain form of a line: where the scanner is, and a place further on in the same line to go on from.
+  [[nodiscard]] std::string_view ahead() const { return {at_, remaining()}; }
+  void jump(const char* place) { at_ = place; }
 
   [[nodiscard]] std::int64_t line() const { return line_; }
   [[nodiscard]] bool saw_bare_cr() const { return bare_cr_; }

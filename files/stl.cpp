@@ -4,9 +4,9 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 #include "files/raw_mesh.h"
-#include "files/text_writer.h"
 
 namespace udcp {
 namespace {
@@ -134,31 +134,46 @@ RawMesh<S> read_stl(const Input& input) {
   return raw;
 }
 
-std::string write_stl(const Surface<double>& surface, const SaveOptions& options) {
-  check_for_floats(surface);
-  const auto faces = triangles(surface);
-  std::string out = comment_line(options.word).substr(0, header_size);  // must not start with "solid"
-  out.resize(header_size, ' ');
-  out.reserve(header_size + 4 + faces.size() * facet_size);
-  const auto put = [&](std::uint32_t value) {
-    for (int k = 0; k < 4; ++k) out.push_back(static_cast<char>(value >> (8 * k) & 0xff));
-  };
-  put(static_cast<std::uint32_t>(faces.size()));
-  for (const auto& face : faces) {
-    Eigen::Vector3d p[3];
-    for (std::size_t k = 0; k < 3; ++k) {
-      for (Eigen::Index c = 0; c < 3; ++c) p[k](c) = coordinate(surface.points, face[k], c);
-    }
-    const Eigen::Vector3d area = (p[1] - p[0]).cross(p[2] - p[0]);
-    const double length = area.norm();
-    const Eigen::Vector3d normal = length > 0 && std::isfinite(length) ? Eigen::Vector3d(area / length) : Eigen::Vector3d::Zero();
-    for (const Eigen::Vector3d& row : {normal, p[0], p[1], p[2]}) {
-      for (Eigen::Index c = 0; c < 3; ++c) put(std::bit_cast<std::uint32_t>(static_cast<float>(row(c))));
-    }
-    out.append(2, '\0');
+namespace {
+
+/// One facet: the unit normal of its triangle (0 0 0 where it has none), three points, two bytes that mean nothing.
+template <class R>
+char* put_facet(char* to, const MeshView<R>& mesh, const std::array<std::uint32_t, 3>& face) {
+  Eigen::Vector3d p[3];
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto point = mesh.point(face[k]);
+    p[k] = {point[0], point[1], point[2]};
   }
-  return out;
+  const Eigen::Vector3d area = (p[1] - p[0]).cross(p[2] - p[0]);
+  const double length = area.norm();
+  const Eigen::Vector3d normal = length > 0 && std::isfinite(length) ? Eigen::Vector3d(area / length) : Eigen::Vector3d::Zero();
+  for (Eigen::Index c = 0; c < 3; ++c) to = put_bytes(to, static_cast<float>(normal(c)));
+  for (const std::uint32_t v : face) {
+    for (std::size_t c = 0; c < 3; ++c) to = put_bytes(to, static_cast<float>(mesh.points[std::size_t{3} * v + c]));
+  }
+  return put_bytes(to, std::uint16_t{0});
 }
+
+}  // namespace
+
+template <class R>
+void write_stl(Writer& out, const MeshView<R>& mesh, const SaveOptions& options) {
+  if (mesh.triangles() > std::numeric_limits<std::uint32_t>::max()) {
+    throw Error(ErrorKind::limit, "E_TOO_LARGE", "an STL file cannot hold more than 2^32 - 1 triangles",
+                "refine less, or save as PLY");
+  }
+  check_for_floats(mesh);
+  std::string head = comment_line(options.word).substr(0, header_size);  // must not start with "solid"
+  head.resize(header_size, ' ');
+  out << head;
+  out.filled(put_bytes(out.room(4), static_cast<std::uint32_t>(mesh.triangles())));
+  for_each_triangle(mesh, [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    out.filled(put_facet(out.room(facet_size), mesh, {a, b, c}));
+  });
+}
+
+template void write_stl(Writer&, const MeshView<float>&, const SaveOptions&);
+template void write_stl(Writer&, const MeshView<double>&, const SaveOptions&);
 
 #define UDCP_READ_STL(S) template RawMesh<S> read_stl<S>(const Input&);
 UDCP_FOR_EACH_COORDINATE(UDCP_READ_STL)

@@ -8,10 +8,15 @@
 #include <numeric>
 
 #include "files/colour_map.h"
-#include "files/text_writer.h"
+#include "files/mesh_view.h"
 
 namespace udcp {
 namespace {
+
+/// Coordinate c of a point; missing coordinates are 0.
+double coordinate(const Points<double>& points, Eigen::Index row, Eigen::Index c) {
+  return c < points.cols() ? points(row, c) : 0.0;
+}
 
 using Vector = Eigen::Vector3d;
 
@@ -137,21 +142,21 @@ std::vector<Points<double>> project(const std::vector<SvgLayer>& layers, const S
   return result;
 }
 
-void draw_text(TextWriter& out, const SvgLayer& layer, const Points<double>& plane, const Frame& frame) {
+void draw_text(Writer& out, const SvgLayer& layer, const Points<double>& plane, const Frame& frame) {
   const auto [x, y] = frame.place_apart(plane(0, 0), plane(0, 1));
   out << "<text x=\"" << x << "\" y=\"" << y << "\" font-family=\"sans-serif\" font-size=\"" << pixels(layer.text_size)
       << "\" text-anchor=\"" << escaped(layer.anchor) << "\" fill=\"" << escaped(layer.stroke) << "\">" << escaped(layer.text)
       << "</text>\n";
 }
 
-void draw_segments(TextWriter& out, const Points<double>& plane, const Frame& frame) {
+void draw_segments(Writer& out, const Points<double>& plane, const Frame& frame) {
   out << " d=\"";
   for (Eigen::Index k = 0; k + 1 < plane.rows(); k += 2)
     out << 'M' << frame.place(plane(k, 0), plane(k, 1)) << 'L' << frame.place(plane(k + 1, 0), plane(k + 1, 1));
   out << "\"/>\n";
 }
 
-void draw_line(TextWriter& out, const SvgLayer& layer, const Points<double>& plane, const Frame& frame) {
+void draw_line(Writer& out, const SvgLayer& layer, const Points<double>& plane, const Frame& frame) {
   out << (layer.segments ? "<path"
           : layer.closed ? "<polygon"
                          : "<polyline")
@@ -165,7 +170,7 @@ void draw_line(TextWriter& out, const SvgLayer& layer, const Points<double>& pla
   out << "\"/>\n";
 }
 
-void draw_layer(TextWriter& out, const SvgLayer& layer, const Points<double>& plane, const Frame& frame) {
+void draw_layer(Writer& out, const SvgLayer& layer, const Points<double>& plane, const Frame& frame) {
   if (!layer.text.empty() && plane.rows() > 0) return draw_text(out, layer, plane, frame);
   if (layer.width > 0 && plane.rows() > 1) draw_line(out, layer, plane, frame);
   if (!layer.markers) return;
@@ -222,7 +227,7 @@ class ColourBar {
         x_(x),
         bottom_(height - 20) {}
 
-  void draw(TextWriter& out, const std::string& name) const {
+  void draw(Writer& out, const std::string& name) const {
     constexpr int steps = 48;
     const double step = (bottom_ - top) / steps;
     out << "<g font-family=\"sans-serif\" font-size=\"12\" fill=\"#202020\">\n";
@@ -248,10 +253,10 @@ class ColourBar {
     const double t = (value / 2 - low_ / 2) / (high_ / 2 - low_ / 2);
     return bottom_ - (bottom_ - top) * (std::isfinite(t) ? t : 0.5);
   }
-  static void write(TextWriter& out, double x, double y, const std::string& text) {
+  static void write(Writer& out, double x, double y, const std::string& text) {
     out << "<text x=\"" << pixels(x) << "\" y=\"" << pixels(y + 4) << "\">" << escaped(text) << "</text>\n";
   }
-  void mark(TextWriter& out, double value, double text_at, const char* label) const {
+  void mark(Writer& out, double value, double text_at, const char* label) const {
     char digits[40];
     const auto end = std::to_chars(digits, digits + sizeof digits, value, std::chars_format::general, 4).ptr;
     out << "<path stroke=\"#202020\" d=\"M" << pixels(x_) << ',' << pixels(place(value)) << "h" << pixels(width + 5) << "\"/>\n";
@@ -296,7 +301,7 @@ std::string svg(const std::vector<SvgLayer>& layers, const SvgOptions& options) 
     for (Eigen::Index k = 0; k < plane.rows(); ++k) frame.include(plane(k, 0), plane(k, 1));
   }
   frame.fit(options);
-  TextWriter out(1000);
+  Writer out(1000);
   out << frame.open(options);
   for (std::size_t k = 0; k < layers.size(); ++k) draw_layer(out, layers[k], planes[k], frame);
   double line = 16;
@@ -345,7 +350,7 @@ std::string svg_mesh(const Surface<double>& surface, const SvgMeshOptions& optio
     return Vector(direction.dot(eye.right), direction.dot(eye.up), direction.dot(eye.towards));
   };
   const Vector seen_light = axis(light);
-  TextWriter out(static_cast<std::size_t>(mesh.half_edges()) * 16 + 1000);
+  Writer out(static_cast<std::size_t>(mesh.half_edges()) * 16 + 1000);
   const bool legend = options.legend && !options.colour_attribute.empty();
   const double column = legend ? frame.add_column(115, 160) : 0;
   out << frame.open(options) << "<g stroke-width=\"" << pixels(options.edges ? options.edge_width : 0.4)

@@ -2,7 +2,7 @@
 #include <random>
 
 #include "files/scanner.h"
-#include "files/text_writer.h"
+#include "files/writer.h"
 #include "helpers.h"
 
 using namespace udcp;
@@ -58,7 +58,7 @@ TEST_SUITE("files") {
     for (int trial = 0; trial < 2000; ++trial) {
       const double value = std::bit_cast<double>(random());
       if (!std::isfinite(value)) continue;
-      TextWriter out(32);
+      Writer out(32);
       out << value;
       const std::string text = out.take();
       CAPTURE(text);

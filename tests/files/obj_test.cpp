@@ -1,4 +1,7 @@
 // OBJ: what is read, what comes back after writing, and the text of errors and warnings.
+#include <algorithm>
+#include <random>
+
 #include "helpers.h"
 
 using namespace udcp;
@@ -164,5 +167,42 @@ TEST_SUITE("files") {
     auto flat = roof();
     flat.points = Points<double>::Random(6, 2);
     CHECK(parse(save_bytes(flat, "obj")).points.leftCols(2) == flat.points);
+  }
+
+  TEST_CASE("the quick way through plain lines finds what the careful way finds") {
+    // The quick way knows spaces only: with a tab in their place, every line is read the careful way.
+    const std::string tokens[] = {"1",    "2",    "3",     "4",     "-1",      "0",   "5",    "99",    "1/1",  "2/1/1",
+                                  "3//1", "1//2", "2/9/2", "1/0",   "1//",     "x",   "1/",   "+2",    "007",  "12345678901",
+                                  "1.5",  ".5",   "-2e-3", "1e400", "1e-400",  "nan", "inf",  "1.5.2", "0x10", "123456789",
+                                  "",     "#",    "\\",    "1,5",   "3/2/1/1", "-0",  "+.25", "1e",    "2//1", "3//9"};
+    const std::string head = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nvn 0 0 1\nvn 1 0 0\n";
+    std::mt19937 random(5);
+    const auto pick = [&](std::size_t count) { return std::uniform_int_distribution<std::size_t>(0, count - 1)(random); };
+    int accepted = 0;
+    for (int trial = 0; trial < 6000; ++trial) {
+      std::string text = head;
+      for (std::size_t line = 0; line < 2; ++line) {
+        text += pick(2) == 0 ? "f" : "v";
+        const std::size_t plain = pick(3), length = pick(4) == 0 ? pick(11) : 3;
+        for (std::size_t k = 0; k < length; ++k)
+          text += std::string(1 + pick(8) / 7, ' ') + tokens[plain > 0 ? pick(4) : pick(std::size(tokens))];
+        text += pick(6) == 0 ? " \r\n" : "\n";
+      }
+      if (pick(9) == 0) text.pop_back();
+      text += trial % 2 == 0 ? "\nf 1 2 3\n" : "";
+      std::string careful = text;
+      std::ranges::replace(careful, ' ', '\t');
+      CAPTURE(text);
+      Warnings quick_warnings, careful_warnings;
+      Surface<double> quick_mesh, careful_mesh;
+      const std::string answer = refusal([&] { quick_mesh = parse(text, "obj", &quick_warnings); });
+      CHECK(answer == refusal([&] { careful_mesh = parse(careful, "obj", &careful_warnings); }));
+      CHECK(quick_warnings == careful_warnings);
+      if (answer != "accepted") continue;
+      ++accepted;
+      check_same(quick_mesh, careful_mesh);
+      CHECK(quick_mesh.attributes == careful_mesh.attributes);
+    }
+    CHECK(accepted > 100);
   }
 }

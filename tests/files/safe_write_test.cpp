@@ -1,41 +1,17 @@
 // Files appear complete or not at all.
 #include <sys/resource.h>
 #include <sys/stat.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <csignal>
 #include <fstream>
 
+#include "files/writer.h"
+#include "folder.h"
 #include "helpers.h"
 
 using namespace udcp;
 using namespace udcp::test;
 namespace fs = std::filesystem;
-
-namespace {
-
-/// A folder that goes away.
-struct Folder {
-  fs::path path = fs::temp_directory_path() / ("udcp-write-" + std::to_string(::getpid()));
-  Folder() { fs::create_directories(path); }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  ~Folder() { fs::remove_all(path); }
-  [[nodiscard]] long entries() const { return std::distance(fs::directory_iterator(path), fs::directory_iterator()); }
-};
-
-/// Runs `f` in a child process and returns what it printed as the error.
-template <class F>
-bool child_says(F f) {
-  const pid_t child = ::fork();
-  if (child == 0) ::_exit(f() ? 0 : 1);
-  int status = 0;
-  ::waitpid(child, &status, 0);
-  return WIFEXITED(status) && WEXITSTATUS(status) == 0;
-}
-
-}  // namespace
 
 TEST_SUITE("files") {
   TEST_CASE("what was written is read back byte by byte") {
@@ -52,6 +28,56 @@ TEST_SUITE("files") {
     CHECK(refusal([&] { write_file(file, bytes); }) == "accepted");
     CHECK(refusal([&] { read_file(file, 1000); }) ==
           "E_FILE_TOO_LARGE: " + file.string() + " is larger than the limit of 1000 bytes");
+  }
+
+  TEST_CASE("pieces of any size make one file") {
+    const Folder folder;
+    const auto file = folder.path / "a.bin";
+    std::vector<float> many(200000);
+    for (std::size_t k = 0; k < many.size(); ++k) many[k] = static_cast<float>(k) / 7;
+    const auto fill = [&](Writer& out) {
+      for (int k = 0; k < 3; ++k) {
+        out << "some text " << k << ' ' << 0.1 << ' ' << 0.1F << '\n' << std::string_view();
+        out.write(std::span<const float>(many));
+        char* to = out.room(700000);
+        std::fill_n(to, 600000, static_cast<char>('a' + k));
+        out.filled(to + 600000);
+      }
+    };
+    std::string expected;
+    for (int k = 0; k < 3; ++k) {
+      expected += "some text " + std::to_string(k) + " 0.1 0.1\n";
+      expected.append(reinterpret_cast<const char*>(many.data()), 4 * many.size());
+      expected.append(600000, static_cast<char>('a' + k));
+    }
+    Writer memory(0), out(file);
+    fill(memory);
+    fill(out);
+    CHECK_FALSE(fs::exists(file));
+    out.commit();
+    CHECK(memory.take() == expected);
+    CHECK(read_file(file) == expected);
+    CHECK(folder.entries() == 1);
+  }
+
+  TEST_CASE("what is not committed never was") {
+    const Folder folder;
+    const auto file = folder.path / "a.bin";
+    write_file(file, "old");
+    {
+      FileSink out(file);
+      out.write(std::string(20000000, 'x'));
+      CHECK(folder.entries() == 2);
+    }
+    CHECK(folder.entries() == 1);
+    CHECK(read_file(file) == "old");
+    FileSink out("/dev/null");
+    out.write("x");
+    out.commit();
+    CHECK(refusal([] {
+            FileSink full("/dev/full");
+            full.write("x");
+          }).starts_with("E_FILE_WRITE: cannot write /dev/full: "));
   }
 
   TEST_CASE("an existing file keeps its mode and a link stays a link") {

@@ -41,6 +41,7 @@ Value load_mesh(CallContext& context, const Arguments& a) {
                                   [&]<class S>(std::type_identity<S>) { return load<S>(path, &warnings); }),
                  "", nullptr};
   mesh.file = path.string();
+  if (const auto lost = std::ranges::find_if(warnings, says_unused); lost != warnings.end()) mesh.isolated = *lost;
   report_warnings(context, warnings);
   return Value{std::move(mesh)};
 }

@@ -18,13 +18,11 @@ std::vector<std::string_view> with(std::vector<std::string_view> more) {
 }
 
 Surface<double> mesh_of(const Arguments& a) {
-  Surface<double> surface = as_double(need_mesh(a, 0));
-  if (surface.points.cols() < 3) {
-    Points<double> points = Points<double>::Zero(surface.points.rows(), 3);
-    points.leftCols(surface.points.cols()) = surface.points;
-    surface.points = std::move(points);
-  }
-  return surface;
+  const MeshValue& mesh = need_mesh(a, 0);
+  if (!mesh.isolated.empty())
+    throw Error(ErrorKind::input, "E_ISOLATED", mesh.isolated + "; an offset has a vertex for each vertex of the mesh",
+                "remove the vertices without faces from the file");
+  return three_columns(as_double(mesh));
 }
 
 OffsetResult run_offset(CallContext& context, const Arguments& a, const OffsetOptions& options) {
@@ -95,11 +93,11 @@ Value show_fold_distances(CallContext& context, const Arguments& a) {
   const CurvatureRange range = curvature_range(mesh_of(a), run_control(context, "curvature"));
   const auto number = [](double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); };
   ReportValue report;
-  report.text = "curvatures from " + to_text(range.least) + " (face " + std::to_string(range.least_face) + ") to " +
-                to_text(range.greatest) + " (face " + std::to_string(range.greatest_face) +
+  report.text = "curvatures from " + short_number(range.least) + " (face " + std::to_string(range.least_face) + ") to " +
+                short_number(range.greatest) + " (face " + std::to_string(range.greatest_face) +
                 "): exact offsets do not fold for distances between " +
-                (std::isfinite(range.lowest_distance()) ? to_text(range.lowest_distance()) : "-infinity") + " and " +
-                (std::isfinite(range.highest_distance()) ? to_text(range.highest_distance()) : "infinity") + " (sampled" +
+                (std::isfinite(range.lowest_distance()) ? short_number(range.lowest_distance()) : "-infinity") + " and " +
+                (std::isfinite(range.highest_distance()) ? short_number(range.highest_distance()) : "infinity") + " (sampled" +
                 (range.excluded > 0 ? ", without the neighbourhoods of " + std::to_string(range.excluded) +
                                           " vertices where curvature is unbounded)"
                                     : ")");
@@ -153,7 +151,7 @@ Value claim_offset_within(CallContext& context, const Arguments& a) {
 }
 
 Value claim_embedded(CallContext& context, const Arguments& a) {
-  return claim_value(prove_embedded(mesh_of(a), search_limits(context)));
+  return claim_value(prove_embedded(three_columns(as_rational(need_mesh(a, 0))), search_limits(context)));
 }
 
 std::vector<Builtin> builtins_offset() {
@@ -226,7 +224,7 @@ std::vector<Builtin> builtins_offset() {
        claim_offset_within},
       {"embedded",
        "embedded(mesh)",
-       "Claim: the Loop surface of the closed mesh, its points as doubles, does not meet itself.",
+       "Claim: the Loop surface of the closed mesh does not meet itself.",
        1,
        1,
        {},

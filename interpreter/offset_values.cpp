@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include "interpreter/report_parts.h"
 #include "operators/methods/offset/loop_limit.h"
@@ -13,18 +14,8 @@ namespace {
 
 std::size_t by_name(const Arguments& a) { return a.positional.size(); }
 
-std::string short_number(double x) { return double_text(x, 4); }
-
 std::string place(const Eigen::RowVector3d& p) {
   return "(" + short_number(p[0]) + ", " + short_number(p[1]) + ", " + short_number(p[2]) + ")";
-}
-
-Surface<double> three_columns(Surface<double> surface) {
-  if (surface.points.cols() >= 3) return surface;
-  Points<double> points = Points<double>::Zero(surface.points.rows(), 3);
-  points.leftCols(surface.points.cols()) = surface.points;
-  surface.points = std::move(points);
-  return surface;
 }
 
 double real(const Arguments& a, std::size_t position, std::string_view name) {
@@ -53,6 +44,8 @@ std::string line(const std::string& name, const std::string& text) {
 }
 
 }  // namespace
+
+std::string short_number(double x) { return double_text(x, 4); }
 
 OffsetOptions offset_options(const Arguments& a, CallContext& context) {
   OffsetOptions options;
@@ -113,8 +106,15 @@ Value coloured_surface(const Surface<double>& limit, Points<double> normals, con
 }
 
 void warn_of_folds(const Surface<double>& surface, double distance, CallContext& context) {
-  constexpr int most = 20'000;  // faces; sampling curvature on more takes longer than the offset itself
-  if (!context.output.warning || distance == 0 || surface.mesh->faces() > most) return;
+  constexpr std::int64_t most = 20'000;  // faces; sampling curvature on more takes longer than the offset itself
+  if (!context.output.warning || distance == 0) return;
+  std::int64_t work = 0;  // a face beside a large valence takes as long as that many others
+  for (int f = 0; f < surface.mesh->faces(); ++f) {
+    int largest = 1;
+    for (const int v : surface.mesh->corners(f)) largest = std::max(largest, surface.mesh->valence(v));
+    work += largest > 24 ? largest : 1;
+  }
+  if (work > most) return;
   const CurvatureRange range = curvature_range(surface, run_control(context, "curvature"));
   const bool below = distance <= range.lowest_distance();
   if (!below && distance < range.highest_distance()) return;

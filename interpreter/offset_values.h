@@ -9,6 +9,19 @@
 
 namespace udcp {
 
+/// Meshes in the plane lie at z = 0.
+template <class S>
+Surface<S> three_columns(Surface<S> surface) {
+  if (surface.points.cols() >= 3) return surface;
+  Points<S> points = Points<S>::Zero(surface.points.rows(), 3);
+  points.leftCols(surface.points.cols()) = surface.points;
+  surface.points = std::move(points);
+  return surface;
+}
+
+/// Four digits, for texts.
+std::string short_number(double x);
+
 /// distance, tolerance, max_level, solver, fit, local, pad, samples. Throws E_ARGUMENTS without a distance, E_TYPE.
 OffsetOptions offset_options(const Arguments& a, CallContext& context);
 
@@ -37,7 +50,8 @@ ReportValue intersection_report(const OffsetPair& pair, int rounds, CallContext&
 /// What offset did: levels, unknowns, solver, errors and bounds.
 ReportValue offset_table(const OffsetResult& result, const OffsetOptions& options);
 
-/// The claims offset_contracts(valence), offset_definite(valence), offset_within(mesh, offset, distance, bound) and embedded(mesh).
+/// The claims offset_contracts(valence), offset_definite(valence), offset_within(mesh, offset, distance, bound) and
+/// embedded(mesh).
 Value claim_offset_contracts(CallContext&, const Arguments&);
 Value claim_offset_definite(CallContext&, const Arguments&);
 Value claim_offset_within(CallContext&, const Arguments&);

@@ -70,6 +70,7 @@ struct MeshValue {
   std::string colour{};                           // an attribute that pictures show unless told otherwise
   bool zero_matters{};                            // of that attribute: values that are not positive are shown in red
   bool control{};                                 // a control mesh of a Loop surface: GLB files show the surface
+  std::string isolated{};                         // what load said of vertices without faces, which it dropped
   std::string file{};                             // where the points were read; their decimals are in there
 };
 

@@ -22,17 +22,21 @@ void follow_cells(const OffsetErrorTest& test, const Points<Interval>& net, int 
   for (const Points<Interval>& child : test.children(net)) follow_cells(test, child, depth + 1, code, next);
 }
 
+/// Splits that a certificate may ask for, each of which keeps four pieces in memory.
+constexpr int most_splits = 200'000;
+
 void follow_planes(const EmbeddingFacts& facts, PatchPiece& a, PatchPiece& b, int depth, const std::string& code,
-                   std::size_t& next) {
+                   std::size_t& next, int& splits) {
   require(next < code.size() && depth <= deepest_patch, "a text of planes ends early or goes too deep");
   const char symbol = code[next++];
   if (symbol != '/') {
     require(symbol >= 'a' && symbol < 'a' + plane_directions, "planes must be letters a to m or /");
     return require(EmbeddingFacts::are_separated(a, b, symbol - 'a'), "a plane does not separate two patches");
   }
+  require(++splits <= most_splits, "the planes ask for more than " + std::to_string(most_splits) + " splits");
   const bool first = depth % 2 == 0;
   for (PatchPiece& part : facts.parts(first ? a : b))
-    follow_planes(facts, first ? part : a, first ? b : part, depth + 1, code, next);
+    follow_planes(facts, first ? part : a, first ? b : part, depth + 1, code, next, splits);
 }
 
 LoopMesh mesh_of(const Json& data, const std::string& rows) {
@@ -118,6 +122,7 @@ std::string check_embedded_surface(const Json& data, StopFlag stop) {
   }
   const std::vector<std::pair<int, int>> close = facts.close_pairs();
   require(pairs.is_array() && pairs.size() == close.size(), "pairs must list the pairs of faces whose boxes overlap");
+  int splits = 0;
   for (std::size_t k = 0; k < close.size(); ++k) {
     throw_if_stopped(stop);
     const auto [f, g] = close[k];
@@ -125,7 +130,7 @@ std::string check_embedded_surface(const Json& data, StopFlag stop) {
             "pairs must list the pairs of faces whose boxes overlap");
     const auto code = pairs[k][2].get<std::string>();
     std::size_t next = 0;
-    follow_planes(facts, facts.piece(f), facts.piece(g), 0, code, next);
+    follow_planes(facts, facts.piece(f), facts.piece(g), 0, code, next, splits);
     require(next == code.size(), "a text of planes has something left over");
   }
   return embedded_statement(data);

@@ -67,7 +67,7 @@ Result prove_interpolation(const ExactInterpolation& what, const SearchLimits& l
   }
   std::vector<Result> parts = prove_surface_c1(schemes::catmull_clark(), valences_of(*what.cage.mesh), limits);
   parts.push_back(concluded(Verdict::proved, "exact points, and tangents in the field of their weights",
-                            seal("interpolation", interpolation_statement(data), data)));
+                            seal("interpolation", interpolation_statement(data), data), limits.stop));
   return all_of(std::move(parts));
 }
 

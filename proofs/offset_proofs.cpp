@@ -168,23 +168,28 @@ Result prove_offset_error(const Surface<double>& surface, const Points<double>& 
     data["rounds"] = separate ? 1 : 0;
     data["cells"] = std::move(cells);
     return concluded(Verdict::proved, "Bernstein coefficients and normal cones of all patches, outward-rounded",
-                     seal("offset-error", statement, std::move(data)));
+                     seal("offset-error", statement, std::move(data)), limits.stop);
   } catch (const Rejected& reason) {
     return undecided(statement, reason.what());
   }
 }
 
 Result prove_embedded(const Surface<double>& surface, const SearchLimits& limits) {
+  validate_control_mesh(surface);
+  return prove_embedded(Surface<Rational>{surface.mesh, exact_rows(surface.points), surface.tags, {}}, limits);
+}
+
+Result prove_embedded(const Surface<Rational>& surface, const SearchLimits& limits) {
   const Interval::Precision precision(offset_precision);
   Budget budget(limits);
   std::string reason;
-  validate_control_mesh(surface);
+  validate_loop_mesh(*surface.mesh, surface.tags);
   Json data = {{"word", loop_word(valences_of(*surface.mesh))},
                {"faces", triangles_to_json(*surface.mesh)},
-               {"points", exact_rows_to_json(exact_rows(surface.points))}};
+               {"points", exact_rows_to_json(surface.points)}};
   const std::string statement = embedded_statement(data);
   try {
-    const LoopMesh points = exact_mesh(surface);
+    const LoopMesh points = checked_loop_mesh(surface.mesh, surface.points);
     const bool regular = std::ranges::all_of(surface.mesh->valences, [](int n) { return n == 6; });
     for (int rounds = regular ? 0 : 2; rounds <= most_rounds; ++rounds) {
       const long faces = static_cast<long>(surface.mesh->faces()) << (2 * rounds);
@@ -198,7 +203,7 @@ Result prove_embedded(const Surface<double>& surface, const SearchLimits& limits
       data.update(found);
       return concluded(Verdict::proved,
                        "discs around vertices are graphs over planes, and planes separate all other pairs of patches",
-                       seal("embedded-surface", statement, std::move(data)));
+                       seal("embedded-surface", statement, std::move(data)), limits.stop);
     }
   } catch (const Rejected& refusal) {
     reason = refusal.what();

@@ -26,6 +26,8 @@ namespace udcp {
                                         bool full, std::optional<Rational> bound = std::nullopt, const SearchLimits& limits = {});
 
 /// The Loop surface with these control points does not meet itself. Closed meshes. Certificate "embedded-surface".
+[[nodiscard]] Result prove_embedded(const Surface<Rational>& surface, const SearchLimits& limits = {});
+/// With the control points as the exact numbers that the doubles are.
 [[nodiscard]] Result prove_embedded(const Surface<double>& surface, const SearchLimits& limits = {});
 
 }  // namespace udcp

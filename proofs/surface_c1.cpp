@@ -220,7 +220,7 @@ Result prove_case(const Case& c, const SearchLimits& limits) {
   Result result = concluded(Verdict::proved,
                             "by the theorem of Reif, Peters and Zorin: contractive differences on regular meshes, "
                             "certified eigenvalues, and a regular and injective characteristic map",
-                            seal("surface-c1", claim, std::move(data)));
+                            seal("surface-c1", claim, std::move(data)), limits.stop);
   result.details = std::move(details);
   return result;
 }

@@ -41,10 +41,10 @@ Verification verify(const Json& certificate, const std::atomic<bool>* stop) {
   }
 }
 
-Result concluded(Verdict verdict, std::string reason, Json certificate) {
+Result concluded(Verdict verdict, std::string reason, Json certificate, const std::atomic<bool>* stop) {
   Result result;
   result.claim = certificate["statement"].get<std::string>();
-  const Verification check = verify(certificate);
+  const Verification check = verify(certificate, stop);
   if (!check.accepted) {
     result.reason = "the certificate did not pass its checker: " + check.reason;
     return result;

@@ -41,7 +41,8 @@ struct Verification {
 [[nodiscard]] Verification verify(const Json& certificate, const std::atomic<bool>* stop = nullptr);
 
 /// `proved` (or `refuted`, for kinds that refute), if verify accepts the certificate; `undecided` with its complaint otherwise.
-[[nodiscard]] Result concluded(Verdict verdict, std::string reason, Json certificate);
+/// Error{interrupted} once `stop` is set.
+[[nodiscard]] Result concluded(Verdict verdict, std::string reason, Json certificate, const std::atomic<bool>* stop = nullptr);
 [[nodiscard]] Result undecided(std::string claim, std::string reason);
 /// The claim that all of them hold: proved if all are, with the certificate "all-of" of their parts; refuted by the first that
 /// is; otherwise undecided by the first that is. One result is itself; none is E_DOMAIN.

@@ -147,7 +147,8 @@ class Prover {
         {"mesh", mesh_json_}, {"mode", to_string(options_.mode)}, {"steps", covered_->steps}, {"ring", ring}, {"points", points}};
     const std::string reason = describe_singularity(data, options_.limits.stop);
     accept(concluded(Verdict::refuted, reason,
-                     seal("irregular-surface", irregular_statement(mesh_json_, options_.mode), std::move(data))));
+                     seal("irregular-surface", irregular_statement(mesh_json_, options_.mode), std::move(data)),
+                     options_.limits.stop));
     result_.witness = Json{{"ring", ring}, {"points", std::move(points)}};
   }
 
@@ -213,7 +214,7 @@ class Prover {
               {"rings", std::move(rings_)},
               {"global", std::move(separation)}};
     accept(concluded(Verdict::proved, reason_of_proof(),
-                     seal("regular-surface", regular_statement(mesh_json_, s, embedded), std::move(data))));
+                     seal("regular-surface", regular_statement(mesh_json_, s, embedded), std::move(data)), options_.limits.stop));
   }
 
   std::string advice() const {

@@ -12,7 +12,7 @@
 namespace udcp {
 namespace {
 
-constexpr int most_patches = 4'000'000;
+constexpr int most_patches = 1'000'000;
 
 using Vector = Eigen::RowVector3d;
 

@@ -41,7 +41,7 @@ class Builder {
     result_.begin_old.push_back(0);
     result_.begin_right.push_back(0);
     for (int i = 0; i < system_.size(); ++i) {
-      if (i % 4096 == 0) throw_if_stopped(stop);
+      if (i % 64 == 0) throw_if_stopped(stop);
       const std::vector<int> set = local_set(i);
       add_rule(set, inverse_row(set));
     }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <string>
 
 #include "operators/interrupt.h"
@@ -143,6 +144,15 @@ std::vector<double> marks(const SelfIntersection& found) {
   return result;
 }
 
+/// None where the surface has no normal.
+static std::optional<Curvature> curvature_if_any(const Points<double>& values) {
+  try {
+    return curvature(values);
+  } catch (const Error&) {
+    return std::nullopt;
+  }
+}
+
 CurvatureRange curvature_range(const Surface<double>& surface, const RunControl& control) {
   constexpr int steps = 8;
   const Mesh& mesh = *surface.mesh;
@@ -154,17 +164,19 @@ CurvatureRange curvature_range(const Surface<double>& surface, const RunControl&
   CurvatureRange range{HUGE_VAL, -HUGE_VAL, 0, 0, {}, {}, 0};
   for (int v = 0; v < mesh.vertices(); ++v) range.excluded += is_wild(v);
   for (int f = 0; f < mesh.faces(); ++f) {
-    throw_if_stopped(control.stop);
     const auto corners = mesh.corners(f);
     for (int i = 0; i <= steps; ++i) {
       for (int j = 0; i + j <= steps; ++j) {
+        throw_if_stopped(control.stop);  // each sample beside a large valence takes long
         const std::array<int, 3> weight{steps - i - j, i, j};
         bool left_out = false;
         for (std::size_t k = 0; k < 3; ++k) left_out |= weight[k] > steps - steps / 8 && is_wild(corners[k]);
         if (left_out) continue;
         const LoopPoint point = evaluation.at(surface.points, f, static_cast<double>(i) / steps, static_cast<double>(j) / steps);
         if (!point.has_derivatives) continue;
-        const Curvature k = curvature(point.values);
+        const std::optional<Curvature> found = curvature_if_any(point.values);
+        if (!found) continue;
+        const Curvature& k = *found;
         if (k.least < range.least) range.least = k.least, range.least_face = f, range.least_place = k.position;
         if (k.greatest > range.greatest) range.greatest = k.greatest, range.greatest_face = f, range.greatest_place = k.position;
       }

@@ -32,7 +32,7 @@ std::vector<double> marks(const SelfIntersection& found);
 
 /// Curvatures of S sampled over its faces. The exact offset by a distance has no local fold there iff 1 + distance k > 0 for both
 /// principal curvatures. Around vertices of valence 3 and 7 or more curvature is unbounded in general: an eighth of the faces
-/// there is left out, and `excluded` counts such vertices. Approximate.
+/// there is left out, and `excluded` counts such vertices; so are places without a normal. Approximate.
 struct CurvatureRange {
   double least = 0, greatest = 0;
   int least_face = 0, greatest_face = 0;

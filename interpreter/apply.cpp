@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include "interpreter/formula.h"
+#include "interpreter/kept_plan.h"
 #include "interpreter/words.h"
 #include "operators/limit.h"
 
@@ -27,13 +28,25 @@ void check_triangles(const Word& word, const Surface<S>& surface) {
   }
 }
 
-Value apply_to_mesh(const WordValue& word, MeshValue mesh, int rounds, const RunControl& control) {
+Surface<double> refine(const Word& word, Surface<double> surface, int rounds, const RunControl& control, KeptPlan* kept) {
+  if (kept == nullptr) return run(word, std::move(surface), rounds, control);
+  if (std::optional<Surface<double>> result = kept->refine(word, surface, rounds, control)) return std::move(*result);
+  Surface<double> result = run(word, surface, rounds, control);
+  kept->remember(word, surface, rounds, result);
+  return result;
+}
+template <class S>
+Surface<S> refine(const Word& word, Surface<S> surface, int rounds, const RunControl& control, KeptPlan*) {
+  return run(word, std::move(surface), rounds, control);
+}
+
+Value apply_to_mesh(const WordValue& word, MeshValue mesh, int rounds, const RunControl& control, KeptPlan* kept) {
   MeshValue result{{}, word.source, nullptr};
   if (word.rounds) result.scheme = std::make_shared<const WordValue>(word);
   std::visit(
       [&](auto& surface) {
         check_triangles(word.word, surface);
-        result.shape = run(word.word, std::move(surface), rounds, control);
+        result.shape = refine(word.word, std::move(surface), rounds, control, kept);
       },
       mesh.shape);
   return Value{std::move(result)};
@@ -85,7 +98,8 @@ Value apply(const WordValue& word, Value shape, CallContext& context) {
   const RunControl control = run_control(context, word.source);
   const int rounds = word.rounds.value_or(1);
   try {
-    if (auto* mesh = std::get_if<MeshValue>(&shape.data)) return apply_to_mesh(word, std::move(*mesh), rounds, control);
+    if (auto* mesh = std::get_if<MeshValue>(&shape.data))
+      return apply_to_mesh(word, std::move(*mesh), rounds, control, context.kept);
     return apply_to_curve(word, std::move(std::get<CurveValue>(shape.data)), rounds, control);
   } catch (const Located& error) {
     if (error.kind != ErrorKind::not_exact || !error.help.empty()) throw;

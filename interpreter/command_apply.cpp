@@ -1,12 +1,14 @@
 // udcp apply: one mesh file through one word. File names go to the library as they are and never through program text.
+#include <algorithm>
 #include <iostream>
 #include <iterator>
+#include <thread>
 
 #include "files/geometry_file.h"
 #include "interpreter/apply.h"
 #include "interpreter/command_parts.h"
 #include "operators/limit.h"
-#include "operators/run.h"
+#include "operators/plan/refine.h"
 
 namespace udcp {
 namespace {
@@ -60,9 +62,67 @@ void set_corners(Surface<double>& surface, Corners which) {
   }
 }
 
-bool writes_gltf(const CommandLine& line) {
-  const std::string format = line.format.empty() ? std::filesystem::path(line.output).extension().string() : "." + line.format;
-  return format == ".glb" || format == ".gltf";
+std::string format_of(const CommandLine& line) {
+  return line.format.empty() ? std::filesystem::path(line.output).extension().string() : "." + line.format;
+}
+
+bool is_gltf(const std::string& format) { return format == ".glb" || format == ".gltf"; }
+
+/// The tags and attributes of vertices stay with a surface on the general path; a plan makes points and faces only.
+bool keeps_marks(const Surface<double>& surface, const std::string& format) {
+  if (format == ".obj") return !surface.tags.edge.empty() || !surface.tags.corner.empty();
+  return format.starts_with(".ply") && !surface.attributes.empty();
+}
+
+std::int64_t faces_after(const WordValue& word, const Surface<double>& surface, int rounds) {
+  return counts(word.word, counts(*surface.mesh, surface.tags), rounds).faces;
+}
+
+template <class T>
+void write(const T& mesh, const CommandLine& line, const SaveOptions& options, Console& console) {
+  console.erase_progress();
+  if (line.output != "-") return save(mesh, line.output, options);
+  console.out() << save_bytes(mesh, line.format, options);
+  console.flush();
+}
+
+/// Points, and normals where there are any: words without limit normals are shown with those of their faces.
+template <class R>
+Refined<R> refined(const WordValue& word, const Surface<double>& surface, int rounds, PlanControl control) {
+  try {
+    return refine<R>(word.word, surface, rounds, control);
+  } catch (const Error& error) {
+    if (!control.normals || control.limit_points || error.kind == ErrorKind::interrupted || error.kind == ErrorKind::limit) throw;
+    control.normals = false;
+    return refine<R>(word.word, surface, rounds, control);
+  }
+}
+
+/// R: the numbers that the format keeps.
+template <class R>
+void refine_and_write(const CommandLine& line, const WordValue& word, const Surface<double>& surface, int rounds,
+                      const PlanControl& control, SaveOptions options, Console& console) {
+  const Refined<R> result = refined<R>(word, surface, rounds, control);
+  if (const auto* flat = std::get_if<FlatMesh<R>>(&result.mesh)) return write(*flat, line, options, console);
+  if (result.normals.rows() > 0) options.normals = &result.normals;
+  write(std::get<Surface<double>>(result.mesh), line, options, console);
+}
+
+/// Atom by atom, with tags and attributes.
+void run_and_write(const CommandLine& line, const WordValue& word, Surface<double> surface, int rounds, RunControl control,
+                   SaveOptions options, Console& console) {
+  if (rounds > 0 || !line.limit) surface = run(word.word, std::move(surface), rounds, control);
+  std::shared_ptr<const Points<double>> normals;
+  if (line.limit) {
+    control.first_item = rounds > 0 ? word.word.items(rounds) : 0;
+    Limit at_limit = limit(word.word, surface, control);
+    surface.points = std::move(at_limit.points);
+    normals = std::make_shared<const Points<double>>(std::move(at_limit.normals));
+  } else if (is_gltf(format_of(line))) {
+    normals = limit_normals(word, rounds, surface, control);
+  }
+  options.normals = normals.get();
+  write(surface, line, options, console);
 }
 
 }  // namespace
@@ -75,30 +135,22 @@ void apply_to_file(const CommandLine& line, Session& session, Console& console, 
   set_corners(surface, line.corners);
 
   const CallContext context{session.settings(), session.output(), nullptr, {}, nullptr, nullptr};
-  RunControl control = run_control(context, "refining");
-  control.stop = &stop;
-  if (rounds > 0 || !line.limit) surface = run(word.word, std::move(surface), rounds, control);
-
+  PlanControl control;
+  control.run = run_control(context, "refining");
+  control.run.stop = &stop;
   SaveOptions options;
   options.word = word.source;
   options.format = line.format;
-  std::shared_ptr<const Points<double>> normals;
-  if (line.limit) {
-    control.first_item = rounds > 0 ? word.word.items(rounds) : 0;
-    Limit at_limit = limit(word.word, surface, control);
-    surface.points = std::move(at_limit.points);
-    normals = std::make_shared<const Points<double>>(std::move(at_limit.normals));
-  } else if (writes_gltf(line)) {
-    normals = limit_normals(word, rounds, surface, control);
-  }
-  options.normals = normals.get();
-  console.erase_progress();
-  if (line.output == "-") {
-    console.out() << save_bytes(surface, line.format, options);
-    console.flush();
-  } else {
-    save(surface, line.output, options);
-  }
+  const std::string format = format_of(line);
+  constexpr std::int64_t worth_it = 20'000;  // faces; fewer cost no time, and their points have the order of a program's
+  if (rounds == 0 || keeps_marks(surface, format) || faces_after(word, surface, rounds) < worth_it)
+    return run_and_write(line, word, std::move(surface), rounds, control.run, options, console);
+  control.limit_points = line.limit;
+  control.normals = line.limit || (word.word.is_scheme() && is_gltf(format));
+  const int threads = session.settings().threads;
+  control.threads = threads > 0 ? threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  if (is_gltf(format) || format == ".stl") return refine_and_write<float>(line, word, surface, rounds, control, options, console);
+  refine_and_write<double>(line, word, surface, rounds, control, options, console);
 }
 
 }  // namespace udcp

@@ -14,6 +14,7 @@ using AnimationFrames = std::map<std::filesystem::path, std::vector<Surface<doub
 
 struct Builtin;
 struct ClaimDomain;
+class KeptPlan;
 
 /// What evaluation sees of the running session. Lives for one run().
 struct CallContext {
@@ -26,6 +27,7 @@ struct CallContext {
   const FunctionValue* function = nullptr;  // whose body is being evaluated: it may call itself
   const Value* last = nullptr;              // _
   AnimationFrames* animation = nullptr;     // inside animate: save collects here
+  KeptPlan* kept = nullptr;                 // inside animate and sweep: what one round leaves for the next
   const ClaimDomain* domain = nullptr;      // inside a claim: what it speaks of
   bool path_text = false;                   // "{d}" goes into a file name: 1/4 is written 0.25, 1/3 is written 1_3
   int depth = 0;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <new>
 #include <set>
+#include <utility>
 
 #include "files/geometry_file.h"
 #include "grammar/print.h"
@@ -12,6 +13,7 @@
 #include "interpreter/claims.h"
 #include "interpreter/compare.h"
 #include "interpreter/formula.h"
+#include "interpreter/kept_plan.h"
 #include "interpreter/report.h"
 #include "operators/interrupt.h"
 
@@ -65,6 +67,20 @@ bool ends_in_step(const grammar::Expr& e) {
   const auto* call = std::get_if<grammar::Call>(&e.node);
   return call && (call->name == "save" || call->name == "plot");
 }
+
+/// Inside a loop, words on the same mesh keep their plan; an inner loop has its own.
+class KeepingPlans {
+ public:
+  explicit KeepingPlans(CallContext& context) : context_(context), before_(std::exchange(context.kept, &plan_)) {}
+  ~KeepingPlans() { context_.kept = before_; }
+  KeepingPlans(const KeepingPlans&) = delete;
+  KeepingPlans& operator=(const KeepingPlans&) = delete;
+
+ private:
+  KeptPlan plan_;
+  CallContext& context_;
+  KeptPlan* before_;
+};
 
 }  // namespace
 
@@ -159,6 +175,7 @@ void Runner::on(const grammar::Sweep& s, Span span) {
   const Value range = evaluate(*s.range, context_);
   const auto* list = range.as<ListValue>();
   if (!list) throw Located(wrong_type("what sweep runs through", "a range or a list", range), s.range->span);
+  const KeepingPlans keeping(context_);
   for (const Value& value : list->items) execute_body(s.body, s.name, value);
 }
 
@@ -178,6 +195,7 @@ void Runner::on(const grammar::Animate& a, Span span) {
   };
   const NumberValue first = bound(range->first), width = apply_operator("-", bound(range->last), first);
   AnimationFrames collected;
+  const KeepingPlans keeping(context_);
   context_.animation = &collected;
   try {
     for (int i = 0; i < frames; ++i) {

@@ -4,7 +4,9 @@
 #include <doctest/doctest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -12,6 +14,7 @@
 #include "files/geometry_file.h"
 #include "grammar/parse.h"
 #include "interpreter/command_parts.h"
+#include "operators/plan/correspondence.h"
 
 using namespace udcp;
 
@@ -262,6 +265,38 @@ TEST_SUITE("interpreter") {
     const Surface<double> a = load<double>(folder.name("a.obj")), b = load<double>(folder.name("b.obj"));
     REQUIRE(a.points.rows() == b.points.rows());
     CHECK((a.points - b.points).cwiseAbs().maxCoeff() < 1e-15);  // one side may have been exact: a few roundings at size 1
+  }
+
+  TEST_CASE("apply makes many faces as a program does but for the order of the points") {
+    const Folder folder;
+    const std::string input = folder.file("in.obj", tetrahedron), word = "((UCP)* where omega = 0)^7";
+    CHECK(udcp_command({"apply", word, input, "-o", folder.name("a.obj")}).code == 0);
+    CHECK(udcp_command({"-e", "load(\"" + input + "\") |> " + word + " |> save \"" + folder.name("b.obj") + "\""}).code == 0);
+    const Surface<double> a = load<double>(folder.name("a.obj")), b = load<double>(folder.name("b.obj"));
+    REQUIRE(a.mesh->faces() == 12 * 4096);
+    double least = 1;  // over the half-edges of b at vertex 0, one of which corresponds to that of a
+    for (int h = 0; h < b.mesh->half_edges(); ++h) {
+      if (b.mesh->vertex[Mesh::i(h)] != 0) continue;
+      const std::vector<int> counterpart = correspondence(*a.mesh, a.mesh->outgoing[0], *b.mesh, h);
+      REQUIRE_FALSE(counterpart.empty());
+      double most = 0;
+      for (int v = 0; v < a.mesh->vertices(); ++v)
+        most = std::max(most, (a.points.row(v) - b.points.row(counterpart[Mesh::i(v)])).cwiseAbs().maxCoeff());
+      least = std::min(least, most);
+    }
+    CHECK(least < 1e-13);
+  }
+
+  TEST_CASE("apply writes limit points and normals of many faces") {
+    const Folder folder;
+    const std::string input = folder.file("in.obj", tetrahedron);
+    CHECK(udcp_command({"apply", "(UCP)* where omega = 0", input, "-n", "7", "--limit", "-o", folder.name("a.obj")}).code == 0);
+    const Surface<double> a = load<double>(folder.name("a.obj"));
+    REQUIRE(a.attributes.contains("nx"));
+    for (int v = 0; v < a.mesh->vertices(); v += 97) {
+      const std::size_t k = Mesh::i(v);
+      CHECK(std::hypot(a.attributes.at("nx")[k], a.attributes.at("ny")[k], a.attributes.at("nz")[k]) == doctest::Approx(1));
+    }
   }
 
   TEST_CASE("no file name can become program text") {

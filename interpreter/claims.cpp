@@ -168,11 +168,11 @@ Result result_of(const Expr& claim, CallContext& context) {
   const Value value = evaluate(claim, context);
   const auto* report = value.as<ReportValue>();
   if (!report || !report->claim)
-    throw Located(
-        Error(ErrorKind::word, "E_NOT_A_CLAIM",
-              "this claims nothing that could be proved, it is " + with_article(type_name(value)),
-              "claims are converges(w), c1(w), c(w, k), equal(w, w), keeps_circles(w), regular(mesh), interpolates(mesh); assert compares values"),
-        claim.span);
+    throw Located(Error(ErrorKind::word, "E_NOT_A_CLAIM",
+                        "this claims nothing that could be proved, it is " + with_article(type_name(value)),
+                        "claims are converges(w), c1(w), c(w, k), equal(w, w), keeps_circles(w), regular(mesh), "
+                        "interpolates(mesh); assert compares values"),
+                  claim.span);
   return *report->claim;
 }
 

@@ -290,7 +290,7 @@ TEST_SUITE("interpreter") {
   TEST_CASE("apply writes limit points and normals of many faces") {
     const Folder folder;
     const std::string input = folder.file("in.obj", tetrahedron);
-    CHECK(udcp_command({"apply", "(UCP)* where omega = 0", input, "-n", "7", "--limit", "-o", folder.name("a.obj")}).code == 0);
+    CHECK(udcp_command({"apply", "catmull_clark", input, "-n", "7", "--limit", "-o", folder.name("a.obj")}).code == 0);
     const Surface<double> a = load<double>(folder.name("a.obj"));
     REQUIRE(a.attributes.contains("nx"));
     for (int v = 0; v < a.mesh->vertices(); v += 97) {

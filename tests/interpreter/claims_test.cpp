@@ -13,11 +13,6 @@ using namespace udcp;
 using oracle::Room;
 namespace fs = std::filesystem;
 
-std::string text_of(const fs::path& file) {
-  std::ifstream in(file);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
 }  // namespace
 
 TEST_SUITE_BEGIN("interpreter");
@@ -99,7 +94,7 @@ TEST_CASE("a certificate goes to its file and comes back accepted") {
   Room room;
   (void)room.run("prove c1(four_point(1/16)) -> \"four.cert.json\"\nverify \"four.cert.json\"");
   CHECK(room.outcome() == Outcome::done);
-  std::string text = text_of(room.file("four.cert.json"));
+  std::string text = room.text("four.cert.json");
   REQUIRE(text.find("\"1/16\"") == std::string::npos);  // omega is 1, written in lowest terms
   const std::size_t at = text.find("\"smoothness\": 1");
   REQUIRE(at != std::string::npos);
@@ -183,9 +178,9 @@ TEST_CASE("pictures and LaTeX are written where they are asked for") {
       "report((UCP)*) |> save \"word.tex\"\n");
   for (const char* name : {"region.svg", "basic.svg", "mask.svg", "map.svg", "eigen.svg"}) {
     CAPTURE(name);
-    CHECK(text_of(room.file(name)).find("<svg") == 0);
+    CHECK(room.text(name).find("<svg") == 0);
   }
-  CHECK(text_of(room.file("word.tex")).find("\\begin{document}") != std::string::npos);
+  CHECK(room.text("word.tex").find("\\begin{document}") != std::string::npos);
   if (std::system("command -v pdflatex > /dev/null") == 0) {
     const std::string compile = "cd '" + room.file(".").string() + "' && pdflatex -interaction=batchmode word.tex > /dev/null";
     CHECK(std::system(compile.c_str()) == 0);

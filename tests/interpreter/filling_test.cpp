@@ -17,12 +17,6 @@ namespace {
 using namespace udcp;
 using oracle::Room;
 
-std::string text_of(const std::filesystem::path& file) {
-  std::ostringstream text;
-  text << std::ifstream(file).rdbuf();
-  return text.str();
-}
-
 std::string printed(Room& room, const std::string& program) { return to_text(room.run(program)); }
 
 }  // namespace
@@ -60,7 +54,7 @@ TEST_CASE("the parameter of a fill can be a number or a list or an attribute or 
 TEST_CASE("patches are saved with their degrees and points") {
   Room room;
   room.run("fill_g2(cube(), steps = 2) |> save \"patches.json\"");
-  const Json json = Json::parse(text_of(room.file("patches.json")));
+  const Json json = Json::parse(room.text("patches.json"));
   CHECK(json["kind"] == "patches");
   REQUIRE(json["patches"].size() == 96);
   int large = 0;
@@ -85,14 +79,14 @@ TEST_CASE("patches are saved with their degrees and points") {
 TEST_CASE("tessellations have normals and curvature and files of them a legend") {
   Room room;
   room.run("fill_g2(cube()) |> tessellate(3) |> save \"cube.glb\"\nfill_g2(cube()) |> save \"eight.obj\"");
-  const std::string glb = text_of(room.file("cube.glb"));
+  const std::string glb = room.text("cube.glb");
   CHECK(glb.find("legend: gaussian from ") != std::string::npos);
   CHECK(glb.find("COLOR_0") != std::string::npos);
   CHECK(load<double>(room.file("eight.obj")).mesh->faces() == 24 * 64);
   room.run("fill_g2(cube()) |> tessellate(3, colour = mean) |> save \"mean.glb\"");
-  CHECK(text_of(room.file("mean.glb")).find("legend: mean from ") != std::string::npos);
+  CHECK(room.text("mean.glb").find("legend: mean from ") != std::string::npos);
   room.run("fill_g2(cube()) |> tessellate(3, colour = none) |> save \"plain.glb\"");
-  CHECK(text_of(room.file("plain.glb")).find("legend") == std::string::npos);
+  CHECK(room.text("plain.glb").find("legend") == std::string::npos);
 }
 
 TEST_CASE("the bar of a legend runs from the least to the greatest value beside the shape") {
@@ -121,7 +115,7 @@ TEST_CASE("the comparison of the fill with Catmull-Clark has the values of the r
   CHECK(near(rows[7]["K"][0], 1.26251));
   CHECK(near(rows[7]["K"][1], 2.51213));
   room.run("compare_fill(cube(), vertex = 0, levels = 2) |> plot \"side_by_side.svg\"");
-  const std::string picture = text_of(room.file("side_by_side.svg"));
+  const std::string picture = room.text("side_by_side.svg");
   CHECK(picture.find(">Catmull-Clark</text>") != std::string::npos);
   CHECK(picture.find(">fill</text>") != std::string::npos);
   CHECK(to_json(room.run("curvature(cube() |> catmull_clark^2, vertex = 0, levels = 6)"))["value"]["rows"][6]["K"] ==

@@ -16,11 +16,6 @@ using oracle::Room;
 std::string path_of(const std::string& name) { return UDCP_TEST_DATA "/regularity/" + name + ".obj"; }
 Rational number(const Json& text) { return Rational::parse(text.get<std::string>()); }
 
-std::string text_of(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
 }  // namespace
 
 TEST_SUITE_BEGIN("interpreter");
@@ -95,12 +90,12 @@ TEST_CASE("a Jacobian that floating point cannot hold is refused") {
 TEST_CASE("a Jacobian shows its colours unless told otherwise") {
   Room room;
   room.run("j = jacobian(grid(2, 2), steps = 1)\nj |> plot \"j.svg\"\nj |> save \"j.glb\"\nj |> save \"j.ply\"");
-  const std::string svg = text_of(room.file("j.svg"));
+  const std::string svg = room.text("j.svg");
   CHECK(svg.find(">jacobian</text>") != std::string::npos);
   CHECK(svg.find(">max 1</text>") != std::string::npos);
-  CHECK(text_of(room.file("j.glb")).find("COLOR_0") != std::string::npos);
+  CHECK(room.text("j.glb").find("COLOR_0") != std::string::npos);
   room.run("grid(2, 2) |> save \"plain.glb\"");
-  CHECK(text_of(room.file("plain.glb")).find("COLOR_0") == std::string::npos);
+  CHECK(room.text("plain.glb").find("COLOR_0") == std::string::npos);
   CHECK(load<double>(room.file("j.ply")).attributes.contains("jacobian"));
 }
 

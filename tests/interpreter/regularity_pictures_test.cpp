@@ -84,11 +84,6 @@ bool same_numbers(const Json& a, const Json& b) {
   return true;
 }
 
-std::string text_of(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
 }  // namespace
 
 TEST_SUITE_BEGIN("interpreter");
@@ -240,7 +235,7 @@ TEST_CASE("the verdict on a face is about each of its parts and not about all to
         "T2 holds on all 16 parts; together: the cones of u and v meet, the cones of u and -v meet");
   CHECK_FALSE(s.levels[0].holds());
   CHECK(verdict_of(s.levels[0], s.subject).rfind("T2 fails: ", 0) == 0);
-  CHECK(text_of(room.file("fan.svg")).find("T2 holds on all 16 parts") != std::string::npos);
+  CHECK(room.text("fan.svg").find("T2 holds on all 16 parts") != std::string::npos);
   CHECK(room.run("cones(load(\"fan.obj\"), face = 0)[2]").as<Boolean>()->value);
 }
 
@@ -301,7 +296,7 @@ TEST_CASE("differences are those of the expected patches") {
 TEST_CASE("pictures of cones are well formed and show every edge") {
   Room room;
   room.run("cones(grid(3, 2), steps = 1) |> plot \"grid.svg\"");
-  const std::string svg = text_of(room.file("grid.svg"));
+  const std::string svg = room.text("grid.svg");
   const auto names = elements(svg);
   CHECK(std::count(names.begin(), names.end(), "svg") == 1);
   CHECK(lines_of_path(svg, 0) == 9);  // 3 edges in each of 3 rows
@@ -312,7 +307,7 @@ TEST_CASE("pictures of cones are well formed and show every edge") {
   CHECK(occurrences(svg, "T1 holds") == 2);
   CHECK(svg.find("nan") == std::string::npos);
   room.run("cones(grid(3, 2), steps = 1) |> plot \"again.svg\"");
-  CHECK(text_of(room.file("again.svg")) == svg);
+  CHECK(room.text("again.svg") == svg);
 }
 
 TEST_CASE("pictures in space and of single patches are well formed") {
@@ -320,17 +315,17 @@ TEST_CASE("pictures in space and of single patches are well formed") {
   for (const char* program : {"torus3d", "bump3d", "star5", "ring8", "ce_nonpointed", "ce_parallel", "cusp3d_dyadic"}) {
     CAPTURE(program);
     room.run("cones(" + loaded(program) + ", steps = 1) |> plot \"x.svg\"");
-    const std::string svg = text_of(room.file("x.svg"));
+    const std::string svg = room.text("x.svg");
     CHECK_FALSE(elements(svg).empty());
     CHECK(svg.find("nan") == std::string::npos);
     CHECK(occurrences(svg, " holds") + occurrences(svg, " fails") == 2);
   }
   room.run("cones(" + loaded("bump3d") + ", steps = 0) |> plot \"bump.svg\"");
-  CHECK(occurrences(text_of(room.file("bump.svg")), ": in one half space") == 2);
+  CHECK(occurrences(room.text("bump.svg"), ": in one half space") == 2);
   room.run("cones(cube(), steps = 2) |> plot \"cube.svg\"");
-  CHECK(text_of(room.file("cube.svg")).find("no regular patch at this level") != std::string::npos);
+  CHECK(room.text("cube.svg").find("no regular patch at this level") != std::string::npos);
   room.run("differences(grid(3, 3), 4) |> plot \"patch.svg\"");
-  CHECK(text_of(room.file("patch.svg")).find("T2 holds") != std::string::npos);
+  CHECK(room.text("patch.svg").find("T2 holds") != std::string::npos);
 }
 
 TEST_CASE("cones differences and Jacobians refuse what they are not about") {

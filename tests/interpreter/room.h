@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "files/geometry_file.h"
 #include "interpreter/report.h"
 #include "interpreter/session.h"
 
@@ -35,6 +36,7 @@ class Room {
   }
   Outcome outcome() const { return session_.outcome(); }
   std::filesystem::path file(const std::string& name) const { return folder_ / name; }
+  std::string text(const std::string& name) const { return read_file(file(name)); }
 
  private:
   std::filesystem::path folder_;

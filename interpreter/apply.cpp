@@ -6,6 +6,9 @@
 
 #include <unistd.h>
 
+#include <algorithm>
+#include <thread>
+
 #include "interpreter/formula.h"
 #include "interpreter/kept_plan.h"
 #include "interpreter/words.h"
@@ -28,25 +31,27 @@ void check_triangles(const Word& word, const Surface<S>& surface) {
   }
 }
 
-Surface<double> refine(const Word& word, Surface<double> surface, int rounds, const RunControl& control, KeptPlan* kept) {
+Surface<double> refine(const Word& word, Surface<double> surface, int rounds, const RunControl& control, CallContext& context) {
+  KeptPlan* const kept = context.kept;
   if (kept == nullptr) return run(word, std::move(surface), rounds, control);
-  if (std::optional<Surface<double>> result = kept->refine(word, surface, rounds, control)) return std::move(*result);
+  if (std::optional<Surface<double>> result = kept->refine(word, surface, rounds, control, thread_count(context.settings)))
+    return std::move(*result);
   Surface<double> result = run(word, surface, rounds, control);
   kept->remember(word, surface, rounds, result);
   return result;
 }
 template <class S>
-Surface<S> refine(const Word& word, Surface<S> surface, int rounds, const RunControl& control, KeptPlan*) {
+Surface<S> refine(const Word& word, Surface<S> surface, int rounds, const RunControl& control, CallContext&) {
   return run(word, std::move(surface), rounds, control);
 }
 
-Value apply_to_mesh(const WordValue& word, MeshValue mesh, int rounds, const RunControl& control, KeptPlan* kept) {
+Value apply_to_mesh(const WordValue& word, MeshValue mesh, int rounds, const RunControl& control, CallContext& context) {
   MeshValue result{{}, word.source, nullptr};
   if (word.rounds) result.scheme = std::make_shared<const WordValue>(word);
   std::visit(
       [&](auto& surface) {
         check_triangles(word.word, surface);
-        result.shape = refine(word.word, std::move(surface), rounds, control, kept);
+        result.shape = refine(word.word, std::move(surface), rounds, control, context);
       },
       mesh.shape);
   return Value{std::move(result)};
@@ -75,6 +80,10 @@ static std::int64_t default_max_bytes() {
   return pages > 0 && size > 0 ? static_cast<std::int64_t>(pages) / 4 * 3 * size : 0;
 }
 
+int thread_count(const Settings& settings) {
+  return settings.threads > 0 ? settings.threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
 RunControl run_control(const CallContext& context, const std::string& what) {
   RunControl control;
   control.max_faces = context.settings.max_faces;
@@ -98,8 +107,7 @@ Value apply(const WordValue& word, Value shape, CallContext& context) {
   const RunControl control = run_control(context, word.source);
   const int rounds = word.rounds.value_or(1);
   try {
-    if (auto* mesh = std::get_if<MeshValue>(&shape.data))
-      return apply_to_mesh(word, std::move(*mesh), rounds, control, context.kept);
+    if (auto* mesh = std::get_if<MeshValue>(&shape.data)) return apply_to_mesh(word, std::move(*mesh), rounds, control, context);
     return apply_to_curve(word, std::move(std::get<CurveValue>(shape.data)), rounds, control);
   } catch (const Located& error) {
     if (error.kind != ErrorKind::not_exact || !error.help.empty()) throw;

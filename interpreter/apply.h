@@ -11,6 +11,9 @@ Value apply(const WordValue&, Value shape, CallContext&);
 /// `what` stands in progress messages.
 RunControl run_control(const CallContext&, const std::string& what);
 
+/// How many threads the settings stand for.
+int thread_count(const Settings&);
+
 /// Limit normals at the vertices of the result of so many rounds of a scheme; null where there are none, or they are too many to
 /// be worth it.
 std::shared_ptr<const Points<double>> limit_normals(const WordValue& word, int rounds, const Surface<double>& surface,

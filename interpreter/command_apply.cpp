@@ -1,8 +1,6 @@
 // udcp apply: one mesh file through one word. File names go to the library as they are and never through program text.
-#include <algorithm>
 #include <iostream>
 #include <iterator>
-#include <thread>
 
 #include "files/geometry_file.h"
 #include "interpreter/apply.h"
@@ -147,8 +145,7 @@ void apply_to_file(const CommandLine& line, Session& session, Console& console, 
     return run_and_write(line, word, std::move(surface), rounds, control.run, options, console);
   control.limit_points = line.limit;
   control.normals = line.limit || (word.word.is_scheme() && is_gltf(format));
-  const int threads = session.settings().threads;
-  control.threads = threads > 0 ? threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  control.threads = thread_count(session.settings());
   if (is_gltf(format) || format == ".stl") return refine_and_write<float>(line, word, surface, rounds, control, options, console);
   refine_and_write<double>(line, word, surface, rounds, control, options, console);
 }

@@ -2,7 +2,6 @@
 #include "interpreter/kept_plan.h"
 
 #include <algorithm>
-#include <thread>
 
 #include "operators/plan/correspondence.h"
 
@@ -36,13 +35,6 @@ bool same(const Tags& a, const Tags& b) { return a.edge == b.edge && a.corner ==
 
 bool is_plain(const Surface<double>& surface) { return surface.points.cols() == 3 && surface.attributes.empty(); }
 
-/// The half-edge of a plan's result that leaves the first corner of the first face, in the faces that come from it.
-int first_half(const Mesh& result, const Mesh& planned) {
-  for (int h = 0; h < result.half_edges() / planned.faces(); ++h)
-    if (result.vertex[Mesh::i(h)] == planned.vertex[0]) return h;
-  return -1;
-}
-
 }  // namespace
 
 bool KeptPlan::fits(const Word& word, const Surface<double>& surface, int rounds) const {
@@ -75,11 +67,11 @@ bool KeptPlan::make_plan(const Surface<double>& surface, const PlanControl& cont
 }
 
 std::optional<Surface<double>> KeptPlan::refine(const Word& word, const Surface<double>& surface, int rounds,
-                                                const RunControl& control) {
+                                                const RunControl& control, int threads) {
   if (is_hopeless_ || !fits(word, surface, rounds)) return std::nullopt;
   PlanControl plan_control{control};
   plan_control.always = true;
-  plan_control.threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  plan_control.threads = threads;
   if (plan_) {
     execute(*plan_, surface.points, frame_, plan_control);
   } else if (!make_plan(surface, plan_control)) {

@@ -14,7 +14,8 @@ class KeptPlan {
  public:
   /// None where the word, the connectivity or the number of rounds are not those remembered, and where no plan applies: small
   /// results, attributes, meshes in the plane or of several components. Throws what compile and execute throw.
-  std::optional<Surface<double>> refine(const Word& word, const Surface<double>& surface, int rounds, const RunControl& control);
+  std::optional<Surface<double>> refine(const Word& word, const Surface<double>& surface, int rounds, const RunControl& control,
+                                        int threads = 1);
   /// `result` is what run() made of the surface.
   void remember(const Word& word, const Surface<double>& surface, int rounds, const Surface<double>& result);
 

@@ -15,6 +15,12 @@ Mesh half_edges_of(const FlatMesh<R>& flat) {
 template Mesh half_edges_of(const FlatMesh<float>&);
 template Mesh half_edges_of(const FlatMesh<double>&);
 
+int first_half(const Mesh& result, const Mesh& planned) {
+  for (int h = 0; h < result.half_edges() / planned.faces(); ++h)
+    if (result.vertex[Mesh::i(h)] == planned.vertex[0]) return h;
+  return -1;
+}
+
 std::vector<int> correspondence(const Mesh& a, int half_a, const Mesh& b, int half_b) {
   if (a.vertices() != b.vertices() || a.faces() != b.faces() || a.half_edges() != b.half_edges()) return {};
   std::vector<int> half(a.vertex.size(), -1), vertex(Mesh::i(a.vertices()), -1), stack{half_a};

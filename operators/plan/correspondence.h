@@ -16,4 +16,8 @@ Mesh half_edges_of(const FlatMesh<R>& flat);
 /// not connected. Linear.
 std::vector<int> correspondence(const Mesh& a, int half_a, const Mesh& b, int half_b);
 
+/// The half-edge of a plan's result that leaves the first corner of the first face of the mesh planned for, in the faces that
+/// come from that face; -1 where there is none. It corresponds to half-edge 0 of what run() makes.
+int first_half(const Mesh& result, const Mesh& planned);
+
 }  // namespace udcp

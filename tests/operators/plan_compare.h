@@ -11,15 +11,6 @@
 
 namespace udcp::test {
 
-/// The half-edge of the plan's result that leaves vertex 0 of the first half-edge, in the faces that come from face 0.
-template <class R>
-int first_half(const Mesh& result, const Plan<R>& plan) {
-  const int last = result.half_edges() / plan.mesh->faces();
-  for (int h = 0; h < last; ++h)
-    if (result.vertex[Mesh::i(h)] == plan.mesh->vertex[0]) return h;
-  return -1;
-}
-
 /// The largest difference between a plan and run(), over the size of the points. -1 where the faces differ, -2 without a plan.
 template <class R>
 double difference_to_run(const Word& word, const Surface<double>& surface, int rounds, PlanControl control = {}) {
@@ -30,7 +21,7 @@ double difference_to_run(const Word& word, const Surface<double>& surface, int r
   execute(*compiled.plan, surface.points, flat, control);
   const Surface<double> expected = run(word, surface, rounds, control.run);
   const Mesh mesh = half_edges_of(flat);
-  const std::vector<int> counterpart = correspondence(*expected.mesh, 0, mesh, first_half(mesh, *compiled.plan));
+  const std::vector<int> counterpart = correspondence(*expected.mesh, 0, mesh, first_half(mesh, *compiled.plan->mesh));
   if (counterpart.empty()) return -1;
   for (int v = 0; v < surface.mesh->vertices(); ++v)
     if (counterpart[Mesh::i(v)] != v) return -1;

@@ -45,7 +45,7 @@ Expected expected_limits(const Word& word, const Surface<double>& surface, int r
   RunControl after;
   after.first_item = word.items(rounds);
   const Mesh mesh = half_edges_of(flat);
-  Expected result{limit(word, fine, after), correspondence(*fine.mesh, 0, mesh, test::first_half(mesh, *compiled.plan))};
+  Expected result{limit(word, fine, after), correspondence(*fine.mesh, 0, mesh, first_half(mesh, *compiled.plan->mesh))};
   REQUIRE(result.counterpart.size() == Mesh::i(fine.mesh->vertices()));
   return result;
 }
@@ -155,7 +155,7 @@ TEST_SUITE("operators") {
     execute(*compiled.plan, surface.points, flat);
     const Surface<double> expected = run(schemes::catmull_clark(), surface, 7);
     const Mesh mesh = half_edges_of(flat);
-    const std::vector<int> counterpart = correspondence(*expected.mesh, 0, mesh, test::first_half(mesh, *compiled.plan));
+    const std::vector<int> counterpart = correspondence(*expected.mesh, 0, mesh, first_half(mesh, *compiled.plan->mesh));
     REQUIRE_FALSE(counterpart.empty());
     CHECK(difference(flat.points, expected.points, counterpart) < 1e-12);
   }

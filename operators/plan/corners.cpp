@@ -29,17 +29,6 @@ ResultNumbers<N>::ResultNumbers(const Mesh& mesh, int segments)
 }
 
 template <int N>
-std::uint32_t ResultNumbers<N>::in_edge(int h) const {
-  const std::uint32_t first = first_edge_ + number(mesh_.edge[at(h)]) * (n_ - 1);
-  return along(h) ? first : first + n_ - 2;
-}
-
-template <int N>
-std::uint32_t ResultNumbers<N>::in_face(int f) const {
-  return first_face_ + number(f) * inside_;
-}
-
-template <int N>
 void ResultNumbers<N>::write_border(int f, std::uint32_t* border) const {
   for (int h = N * f; h < N * f + N; ++h) {
     *border++ = number(mesh_.vertex[at(h)]);

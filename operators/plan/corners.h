@@ -16,9 +16,12 @@ class ResultNumbers {
 
   /// Numbers of the first point inside half-edge h (the others follow upwards or, against the direction of the edge, downwards)
   /// and inside face f.
-  [[nodiscard]] std::uint32_t in_edge(int h) const;
+  [[nodiscard]] std::uint32_t in_edge(int h) const {
+    const std::uint32_t first = first_edge_ + static_cast<std::uint32_t>(mesh_.edge[Mesh::i(h)]) * (n_ - 1);
+    return along(h) ? first : first + n_ - 2;
+  }
   [[nodiscard]] bool along(int h) const { return mesh_.edge_half[Mesh::i(mesh_.edge[Mesh::i(h)])] == h; }
-  [[nodiscard]] std::uint32_t in_face(int f) const;
+  [[nodiscard]] std::uint32_t in_face(int f) const { return first_face_ + static_cast<std::uint32_t>(f) * inside_; }
 
   /// Writes the corners of the faces that come from faces `first` .. `last` - 1 of the mesh.
   void write(int first, int last, std::uint32_t* corners) const;

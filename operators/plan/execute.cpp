@@ -14,102 +14,86 @@ namespace {
 
 std::size_t at(std::int64_t k) { return static_cast<std::size_t>(k); }
 
-constexpr std::int64_t numbers_per_piece = 1 << 16;      // of a result: enough work to hide a lock, small enough to stop soon
-constexpr std::int64_t larger_than_caches = 32LL << 20;  // bytes; below, the next reader finds a result in the cache
-
-constexpr std::int64_t faces_at_once = 8;  // that share a part of their matrix while it is in the first cache
-constexpr int bytes_at_once = 16 << 10;    // of the matrix; half of a usual first cache, the rest is for points
-
-/// One thread's work: a few faces of one kind at a time, and for them a few panels of their matrix at a time.
+constexpr std::int64_t numbers_per_piece = 1 << 16;  // of a result: enough work to hide a lock, small enough to stop soon
+/// One thread's work: face by face.
 template <class R, int N>
 class FaceWork {
  public:
-  FaceWork(const Plan<R>& plan, const ResultNumbers<N>& numbers, const double* points, FlatMesh<R>& result, bool streams)
-      : plan_(plan), numbers_(numbers), block_{plan.segments}, points_(points), result_(result), streams_(streams) {}
+  FaceWork(const Plan<R>& plan, const ResultNumbers<N>& numbers, const double* points, FlatMesh<R>& result)
+      : plan_(plan), numbers_(numbers), block_{plan.segments}, points_(points), result_(result) {}
 
   void run(std::int64_t first_job, std::int64_t last_job) {
     const auto after = std::upper_bound(plan_.kinds.begin(), plan_.kinds.end(), first_job,
                                         [](std::int64_t job, const auto& kind) { return job < kind.first_job; });
     std::size_t k = at(after - plan_.kinds.begin()) - 1;
-    for (std::int64_t job = first_job; job < last_job;) {
+    for (std::int64_t job = first_job; job < last_job; ++job) {
       while (k + 1 < plan_.kinds.size() && plan_.kinds[k + 1].first_job <= job) ++k;
-      const std::int64_t kind_ends = k + 1 < plan_.kinds.size() ? plan_.kinds[k + 1].first_job : last_job;
-      const std::int64_t end = std::min({last_job, kind_ends, job + faces_at_once});
-      for (std::int64_t next = job; next < end; ++next) gather(plan_.kinds[k], next, faces_[at(next - job)]);
-      make(plan_.kinds[k], at(end - job));
-      job = end;
+      gather(plan_.kinds[k], job);
+      make_points(plan_.kinds[k]);
+      if (plan_.content.tangents) make_normals(plan_.kinds[k]);
     }
   }
 
  private:
   using Kind = typename Plan<R>::Kind;
-  struct Face {
-    int f = 0;
-    std::vector<R> points;    // around it, less the first of them
-    std::array<R, 3> origin;  // which is this
-    std::array<Buffer<R>, 3> block;
-    std::size_t streamed = 0;  // numbers of the interior that are in their place
-  };
+  typedef double Four __attribute__((vector_size(4 * sizeof(double)), aligned(alignof(double)), may_alias));
+  typedef R FourR __attribute__((vector_size(4 * sizeof(R))));
 
   // Differences to the first point, taken in double: all rows for points have sum 1 and those for tangents sum 0, so the rounding
   // of a float result is that of its own digits, however far from the origin a small face lies.
-  void gather(const Kind& kind, std::int64_t job, Face& face) {
+  void gather(const Kind& kind, std::int64_t job) {
     const auto columns = at(kind.layers[0].columns);
-    const std::uint32_t* vertex = plan_.vertex.data() + kind.first_vertex + at(job - kind.first_job) * columns;
-    face.f = plan_.face[at(job)];
-    face.streamed = 0;
-    face.points.resize(columns * 3);
-    for (std::size_t c = 0; c < 3; ++c) face.origin[c] = static_cast<R>(points_[3 * std::size_t{vertex[0]} + c]);
-    for (std::size_t k = 0; k < columns; ++k)
-      for (std::size_t c = 0; c < 3; ++c)
-        face.points[3 * k + c] = static_cast<R>(points_[3 * std::size_t{vertex[k]} + c] - double{face.origin[c]});
-    const std::size_t size = numbers_before(kind.layers[0].panels());
-    for (std::size_t layer = 0; layer < kind.layers.size(); ++layer)
-      if (face.block[layer].size() < size) face.block[layer] = Buffer<R>(size);
+    const std::uint32_t* vertex = plan_.vertex.data() + kind.first_vertex + at(job - kind.first_job) * (columns + 1);
+    face_ = plan_.face[at(job)];
+    writes_ = plan_.writes[at(job)];
+    rows_ = rows_written();
+    const Four first = *reinterpret_cast<const Four*>(points_ + 4 * std::size_t{*vertex});
+    const FourR origin = __builtin_convertvector(first, FourR);
+    std::memcpy(origin_.data(), &origin, sizeof origin);
+    around_.resize(columns * 4);
+    R* to = around_.data();
+    for (std::size_t k = 1; k <= columns; ++k, to += 4) {
+      const Four point = *reinterpret_cast<const Four*>(points_ + 4 * std::size_t{vertex[k]});
+      const FourR difference = __builtin_convertvector(point - __builtin_convertvector(origin, Four), FourR);
+      std::memcpy(to, &difference, sizeof difference);
+    }
+    for (std::size_t layer = 0; layer < kind.layers.size(); ++layer) {
+      const std::size_t size = numbers_before(kind.layers[layer].panels());
+      if (made_[layer].size() < size) made_[layer] = Buffer<R>(size);
+    }
   }
+
+  // Up to the last row that this face writes: what faces share is written by one of them, and the others need not compute it.
+  [[nodiscard]] int rows_written() const {
+    for (int k = N; k-- > 0;)
+      if (writes_corner(k)) return block_.corner_row(k) + 1;
+    for (int k = N; k-- > 0;)
+      if (writes_edge(k)) return block_.edge_row(k + 1);
+    return block_.interior();
+  }
+  [[nodiscard]] bool writes_edge(int k) const { return (writes_ >> k & 1U) != 0; }
+  [[nodiscard]] bool writes_corner(int k) const { return (writes_ >> (N + k) & 1U) != 0; }
 
   static std::size_t numbers_before(int panel) { return at(panel) * 3 * panel_rows<R>; }
+  [[nodiscard]] int panels_written() const { return (rows_ + panel_rows<R> - 1) / panel_rows<R>; }
 
-  void make(const Kind& kind, std::size_t faces) {
-    const PanelMatrix<R>& matrix = kind.layers[0];
-    const int panels = matrix.panels(), at_once = std::max(1, bytes_at_once / (64 * std::max(1, matrix.columns)));
-    for (int first = 0; first < panels; first += at_once)
-      for (std::size_t k = 0; k < faces; ++k) make_rows(kind, first, std::min(first + at_once, panels), faces_[k]);
-    for (std::size_t k = 0; k < faces; ++k) {
-      if (plan_.content.tangents) place_points_and_normals(faces_[k]);
-      write_border(faces_[k].block[0].data(), result_.points.data(), faces_[k].f);
-    }
+  // Panels inside the face go straight to their place.
+  void make_points(const Kind& kind) {
+    const int inside = block_.interior() / panel_rows<R>;
+    R* place = result_.points.data() + 3 * std::size_t{numbers_.in_face(face_)};
+    multiply(kind.layers[0], 0, inside, around_.data(), origin_.data(), place);
+    R* made = made_[0].data();
+    multiply(kind.layers[0], inside, panels_written(), around_.data(), origin_.data(), made + numbers_before(inside));
+    write(made, inside * panel_rows<R>, result_.points.data());
   }
 
-  // Rows inside the face go straight to their place or stream there behind the work; those of the border stay in the block.
-  void make_rows(const Kind& kind, int first, int last, Face& face) {
-    constexpr std::array<R, 3> nothing{};
-    const std::size_t size = at(block_.interior()) * 3, begin = numbers_before(first), end = numbers_before(last);
-    R* target = result_.points.data() + 3 * std::size_t{numbers_.in_face(face.f)};
-    R* block = face.block[0].data();
-    if (!streams_ && !plan_.content.tangents && end <= size) {
-      multiply(kind.layers[0], first, last, face.points.data(), face.origin.data(), target + begin);
-      return;
-    }
-    multiply(kind.layers[0], first, last, face.points.data(), face.origin.data(), block + begin);
-    for (std::size_t layer = 1; layer < kind.layers.size(); ++layer)
-      multiply(kind.layers[layer], first, last, face.points.data(), nothing.data(), face.block[layer].data() + begin);
-    if (plan_.content.tangents || begin >= size) return;
-    const std::size_t ready = std::min(size, end);
-    if (streams_) {
-      face.streamed += stream_copy(target + face.streamed, block + face.streamed, ready - face.streamed, ready == size);
-    } else {
-      std::memcpy(target + begin, block + begin, (ready - begin) * sizeof(R));
-    }
-  }
-
-  void place_points_and_normals(Face& face) {
-    R* normals = face.block[1].data();
-    for (int row = 0; row < block_.points(); ++row) replace_by_normal(normals + 3 * row, face.block[2].data() + 3 * row);
-    const std::size_t first = 3 * std::size_t{numbers_.in_face(face.f)}, size = at(block_.interior()) * 3 * sizeof(R);
-    std::memcpy(result_.points.data() + first, face.block[0].data(), size);
-    std::memcpy(result_.normals.data() + first, normals, size);
-    write_border(normals, result_.normals.data(), face.f);
+  void make_normals(const Kind& kind) {
+    constexpr std::array<R, 3> origin{};
+    for (const std::size_t layer : {1, 2})
+      multiply(kind.layers[layer], 0, panels_written(), around_.data(), origin.data(), made_[layer].data());
+    R* normals = made_[1].data();
+    for (int row = 0; row < rows_; ++row) replace_by_normal(normals + 3 * row, made_[2].data() + 3 * row);
+    write(normals, 0, result_.normals.data());
   }
 
   // a becomes the unit vector along a x b; 0 where they are parallel, as in limit().
@@ -124,15 +108,16 @@ class FaceWork {
     a[0] = static_cast<R>(x * scale), a[1] = static_cast<R>(y * scale), a[2] = static_cast<R>(z * scale);
   }
 
-  // Of what two faces share, one of them writes: the one whose half-edge gives the edge its direction, or that the vertex names.
-  void write_border(const R* block, R* target, int f) const {
-    const Mesh& mesh = *plan_.mesh;
+  // Rows of the face, from one inside it on, to their places.
+  void write(const R* rows, int first, R* target) const {
+    const auto copy = [&](int row, int count, std::size_t place) {
+      std::memcpy(target + 3 * place, rows + 3 * row, at(count) * 3 * sizeof(R));
+    };
+    copy(first, block_.interior() - first, std::size_t{numbers_.in_face(face_)} + at(first));
     for (int k = 0; k < N; ++k) {
-      const int h = N * f + k, v = mesh.vertex[at(h)];
-      if (numbers_.along(h) && plan_.segments > 1)
-        std::memcpy(target + 3 * std::size_t{numbers_.in_edge(h)}, block + 3 * block_.edge_row(k),
-                    at(plan_.segments - 1) * 3 * sizeof(R));
-      if (mesh.outgoing[at(v)] == h) std::memcpy(target + 3 * at(v), block + 3 * block_.corner_row(k), 3 * sizeof(R));
+      const int h = N * face_ + k;
+      if (writes_edge(k)) copy(block_.edge_row(k), block_.n - 1, numbers_.in_edge(h));
+      if (writes_corner(k)) copy(block_.corner_row(k), 1, at(plan_.mesh->vertex[at(h)]));
     }
   }
 
@@ -141,30 +126,32 @@ class FaceWork {
   Block<N> block_;
   const double* points_;
   FlatMesh<R>& result_;
-  bool streams_;
-  std::array<Face, faces_at_once> faces_;
+
+  int face_ = 0, rows_ = 0;
+  unsigned writes_ = 0;            // as in Plan
+  std::vector<R> around_;          // points around the face but the first, less the first, four numbers each
+  std::array<R, 4> origin_;        // which is this
+  std::array<Buffer<R>, 3> made_;  // per layer, the rows that did not go to their place
 };
 
-Buffer<double> as_triples(const Points<double>& points) {
-  Buffer<double> result(at(points.rows()) * 3);
+// x y z 0 per point.
+Buffer<double> in_fours(const Points<double>& points) {
+  Buffer<double> result(at(points.rows()) * 4);
   double* out = result.data();
   for (Eigen::Index v = 0; v < points.rows(); ++v)
-    for (Eigen::Index c = 0; c < 3; ++c) *out++ = c < points.cols() ? points(v, c) : 0;
+    for (Eigen::Index c = 0; c < 4; ++c) *out++ = c < points.cols() ? points(v, c) : 0;
   return result;
 }
 
-// Makes room for what the plan fills; true where there was room before.
+// Makes room for what the plan fills, where there was none before.
 template <class R>
-bool prepare(const Plan<R>& plan, FlatMesh<R>& result) {
+void prepare(const Plan<R>& plan, FlatMesh<R>& result) {
   const auto size = at(plan.vertices()) * 3;
-  const bool filled = result.points.size() == size && result.normals.size() == (plan.content.tangents ? size : 0);
-  if (!filled) {
-    result.points = {};
-    result.normals = {};
-    result.points = Buffer<R>(size);
-    if (plan.content.tangents) result.normals = Buffer<R>(size);
-  }
-  return filled;
+  if (result.points.size() == size && result.normals.size() == (plan.content.tangents ? size : 0)) return;
+  result.points = {};
+  result.normals = {};
+  result.points = Buffer<R>(size);
+  if (plan.content.tangents) result.normals = Buffer<R>(size);
 }
 
 // Two kinds of work one after the other, as one in the eyes of control.progress.
@@ -177,18 +164,16 @@ RunControl part_of(const RunControl& control, double from, double to) {
 
 template <class R, int N>
 void execute_blocks(const Plan<R>& plan, const Buffer<double>& points, FlatMesh<R>& result, const PlanControl& control) {
-  const bool filled = prepare(plan, result);
+  prepare(plan, result);
   const std::size_t corners = at(plan.faces()) * N;
   const bool connected = result.corners.size() == corners && result.corners_per_face == N;
   const ResultNumbers<N> numbers(*plan.mesh, plan.segments);
-  const bool streams =
-      filled && plan.vertices() * 3 * static_cast<std::int64_t>(sizeof(R)) > larger_than_caches && plan.segments > 4;
   const auto jobs = static_cast<std::int64_t>(plan.face.size());
   const std::int64_t per_piece = std::max<std::int64_t>(1, numbers_per_piece / (plan.segments * plan.segments));
   const std::int64_t pieces = (jobs + per_piece - 1) / per_piece;
   const double split = connected ? 1 : 0.5;
   for_each_piece(pieces, control.threads, part_of(control.run, 0, split), [&](std::int64_t piece) {
-    FaceWork<R, N> work(plan, numbers, points.data(), result, streams);
+    FaceWork<R, N> work(plan, numbers, points.data(), result);
     work.run(piece * per_piece, std::min(jobs, (piece + 1) * per_piece));
   });
   if (connected) return;
@@ -209,11 +194,11 @@ void execute_last(const Plan<R>& plan, const Points<double>& points, FlatMesh<R>
     throw Error(ErrorKind::input, "E_POINTS",
                 "the plan needs " + std::to_string(plan.mesh->vertices()) + " points with one to three coordinates, got " +
                     std::to_string(points.rows()) + " with " + std::to_string(points.cols()));
-  const Buffer<double> triples = as_triples(points);
+  const Buffer<double> fours = in_fours(points);
   if (plan.corners_per_face == 3) {
-    execute_blocks<R, 3>(plan, triples, result, control);
+    execute_blocks<R, 3>(plan, fours, result, control);
   } else {
-    execute_blocks<R, 4>(plan, triples, result, control);
+    execute_blocks<R, 4>(plan, fours, result, control);
   }
 }
 

@@ -162,7 +162,24 @@ class Compiler {
     }
     plan.kinds.push_back(std::move(kind));
     plan.face.resize(plan.face.size() + at(jobs));
+    plan.writes.resize(plan.face.size());
     plan.vertex.resize(plan.vertex.size() + at(jobs) * used.size());
+  }
+
+  // Of what faces share, one of them writes: of an edge the one along which its points are numbered; of a vertex one with a low
+  // corner there, as the rows of the last corner are the last ones, and those that nobody writes at the end are not computed.
+  static std::vector<std::uint8_t> writers(const Mesh& mesh) {
+    std::vector<std::uint8_t> writes(at(mesh.faces()), 0);
+    std::vector<bool> written(at(mesh.vertices()), false);
+    for (int corner = 0; corner < N; ++corner) {
+      for (std::size_t f = 0, h = at(corner); f < writes.size(); ++f, h += at(N)) {
+        const auto v = at(mesh.vertex[h]);
+        const bool edge = mesh.edge_half[at(mesh.edge[h])] == static_cast<int>(h), vertex = !written[v];
+        writes[f] = static_cast<std::uint8_t>(writes[f] | (int{edge} << corner) | (int{vertex} << (N + corner)));
+        written[v] = true;
+      }
+    }
+    return writes;
   }
 
   // Counting sort; within a kind the faces stay in order.
@@ -174,8 +191,10 @@ class Compiler {
       next[k] = plan.kinds[kind].first_job;
       vertex[k] = plan.kinds[kind++].first_vertex;
     }
+    const std::vector<std::uint8_t> writes = writers(*plan.mesh);
     for (std::size_t f = 0; f < groups_.kind.size(); ++f) {
       const std::size_t k = turned_kind(f);
+      plan.writes[at(next[k])] = writes[f];
       plan.face[at(next[k]++)] = static_cast<int>(f);
       for (const int column : used_[k / N]) plan.vertex[vertex[k]++] = groups_.vertex[groups_.first_vertex[f] + at(column)];
     }

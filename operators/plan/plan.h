@@ -45,6 +45,7 @@ struct Plan {
   };
   std::vector<Kind> kinds;
   std::vector<int> face;              // per job
+  std::vector<std::uint8_t> writes;   // per job: bit k for its edge k, bit corners_per_face + k for its corner k
   std::vector<std::uint32_t> vertex;  // per job and column of its matrix: the vertex of `mesh` it is multiplied with
 
   [[nodiscard]] std::int64_t vertices() const;

@@ -12,7 +12,8 @@ namespace udcp {
 template <class R>
 inline constexpr int panel_rows = 64 / static_cast<int>(sizeof(R));
 
-/// A matrix in panels: the rows of a panel lie side by side, column after column; the last panel is filled up with zeros.
+/// A matrix in panels: the rows of a panel lie side by side, column after column; the last panel is filled up with zeros. There
+/// is no column for the first point: where points are given as differences to it, its weights have nothing to do.
 template <class R>
 struct PanelMatrix {
   int rows = 0, columns = 0;
@@ -23,19 +24,14 @@ struct PanelMatrix {
   }
 };
 
-/// The rows and columns of `matrix` that are listed, in that order, rounded to R.
+/// The rows of `matrix` that are listed and the columns after the first of those that are listed, in that order, rounded to R.
 template <class R>
 PanelMatrix<R> make_panels(const Points<double>& matrix, const std::vector<int>& rows, const std::vector<int>& columns);
 
-/// out = origin + panels `first` .. `last` - 1 of the matrix times the points, three coordinates each, x y z x y z ...; writes
-/// whole panels. Every row is summed in the order of the columns without fused operations: the same bits with and without AVX2.
+/// out = origin + panels `first` .. `last` - 1 of the matrix times the points: one row of x y z and a number that is not read per
+/// column of the matrix; x y z x y z .. out, whole panels. Every row is summed in the order of the columns, with fused operations
+/// where the processor has them: processors with and without may differ by a rounding, the same one never does.
 template <class R>
 void multiply(const PanelMatrix<R>& matrix, int first, int last, const R* points, const R* origin, R* out);
-
-/// Copies numbers past the caches, for memory that is not read soon: `count` of them if `to_end`, otherwise up to the last cache
-/// line of the target that they fill. Returns how many. The target must have been written before: on fresh pages this is slower
-/// than plain stores, as the system has just cleared them in the cache.
-template <class R>
-std::size_t stream_copy(R* to, const R* from, std::size_t count, bool to_end);
 
 }  // namespace udcp

@@ -231,7 +231,7 @@ TEST_SUITE("operators") {
 
   TEST_CASE("a plan executed again on other points gives what a new plan gives") {
     const Surface<double> surface = torus<double>(40, 30, 3, 1);
-    for (const int rounds : {2, 6}) {  // the second is larger than the caches and streams
+    for (const int rounds : {2, 6}) {
       const Compiled<float> compiled = compile<float>(schemes::catmull_clark(), surface, rounds, always());
       REQUIRE(compiled.plan);
       FlatMesh<float> kept, fresh;

@@ -50,20 +50,32 @@ void KeptPlan::remember(const Word& word, const Surface<double>& surface, int ro
   rounds_ = rounds;
   base_ = surface.mesh;
   base_tags_ = surface.tags;
+  base_points_ = surface.points;
   result_ = result.mesh;
+  result_points_ = result.points;
   result_tags_ = result.tags;
 }
 
-bool KeptPlan::make_plan(const Surface<double>& surface, const PlanControl& control) {
-  Compiled<double> compiled = compile<double>(word_, surface, rounds_, control);
+bool KeptPlan::make_plan(const PlanControl& control) {
+  Compiled<double> compiled = compile<double>(word_, {base_, base_points_, base_tags_, {}}, rounds_, control);
   if (!compiled.plan) return false;
-  execute(*compiled.plan, surface.points, frame_, control);
-  const Mesh mesh = half_edges_of(frame_);
-  const int first = first_half(mesh, *compiled.plan->mesh);
-  if (first >= 0) counterpart_ = correspondence(*result_, 0, mesh, first);
+  execute(*compiled.plan, base_points_, frame_, control);
+  counterpart_ = numbers_in_plan(*result_, half_edges_of(frame_), *compiled.plan->mesh);
   if (counterpart_.empty()) return false;
+  const double apart = (frame_points() - result_points_).cwiseAbs().maxCoeff();
+  if (!(apart <= 1e-9 * result_points_.cwiseAbs().maxCoeff())) return false;
+  base_points_ = result_points_ = {};
   plan_ = std::move(compiled.plan);
   return true;
+}
+
+Points<double> KeptPlan::frame_points() const {
+  Points<double> points(result_->vertices(), 3);
+  for (std::size_t v = 0; v < counterpart_.size(); ++v) {
+    const double* from = frame_.points.data() + 3 * Mesh::i(counterpart_[v]);
+    std::copy(from, from + 3, points.data() + 3 * v);
+  }
+  return points;
 }
 
 std::optional<Surface<double>> KeptPlan::refine(const Word& word, const Surface<double>& surface, int rounds,
@@ -72,18 +84,12 @@ std::optional<Surface<double>> KeptPlan::refine(const Word& word, const Surface<
   PlanControl plan_control{control};
   plan_control.always = true;
   plan_control.threads = threads;
-  if (plan_) {
-    execute(*plan_, surface.points, frame_, plan_control);
-  } else if (!make_plan(surface, plan_control)) {
+  if (!plan_ && !make_plan(plan_control)) {
     is_hopeless_ = true;
     return std::nullopt;
   }
-  Surface<double> result{result_, Points<double>(result_->vertices(), 3), result_tags_, {}};
-  for (std::size_t v = 0; v < counterpart_.size(); ++v) {
-    const double* from = frame_.points.data() + 3 * Mesh::i(counterpart_[v]);
-    std::copy(from, from + 3, result.points.data() + 3 * v);
-  }
-  return result;
+  execute(*plan_, surface.points, frame_, plan_control);
+  return Surface<double>{result_, frame_points(), result_tags_, {}};
 }
 
 }  // namespace udcp

@@ -12,8 +12,9 @@ std::uint32_t number(int k) { return static_cast<std::uint32_t>(k); }
 }  // namespace
 
 template <int N>
-ResultNumbers<N>::ResultNumbers(const Mesh& mesh, int segments)
+ResultNumbers<N>::ResultNumbers(const Mesh& mesh, const std::vector<std::uint8_t>& turn, int segments)
     : mesh_(mesh),
+      turn_(turn),
       n_(number(segments)),
       inside_(number(Block<N>{segments}.interior())),
       first_edge_(number(mesh.vertices())),
@@ -22,8 +23,9 @@ ResultNumbers<N>::ResultNumbers(const Mesh& mesh, int segments)
   const auto add = [&](Place place) {
     const auto border = block.border(place);
     if (border.edge >= 0)
-      patches_.push_back({number(static_cast<int>(interior_.size())), number(border.edge) * n_ + number(border.step)});
-    interior_.push_back(border.edge < 0 ? number(block.interior_row(place)) : 0);
+      patches_.push_back({number(static_cast<int>(interior_[0].size())), number(border.edge) * n_ + number(border.step)});
+    for (int t = 0; t < N; ++t)
+      interior_[at(t)].push_back(border.edge < 0 ? number(block.interior_row(block.turned(place, (N - t) % N))) : 0);
   };
   block.for_each_face([&](auto... places) { (add(places), ...); });
 }
@@ -40,11 +42,12 @@ void ResultNumbers<N>::write_border(int f, std::uint32_t* border) const {
 template <int N>
 void ResultNumbers<N>::write(int first, int last, std::uint32_t* corners) const {
   std::vector<std::uint32_t> border(N * n_);
-  const std::size_t size = interior_.size();
+  const std::size_t size = interior_[0].size();
   for (int f = first; f < last; ++f) {
     std::uint32_t* out = corners + at(f) * size;
     const std::uint32_t shift = in_face(f);
-    for (std::size_t k = 0; k < size; ++k) out[k] = interior_[k] + shift;
+    const std::uint32_t* interior = interior_[turn_[at(f)]].data();
+    for (std::size_t k = 0; k < size; ++k) out[k] = interior[k] + shift;
     write_border(f, border.data());
     for (const Patch& patch : patches_) out[patch.at] = border[patch.border];
   }

@@ -1,6 +1,7 @@
 // The faces of a plan's result as closed formulas: no half-edge is walked. Knows no points.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -8,11 +9,11 @@
 
 namespace udcp {
 
-/// The numbering of Plan, for faces with N corners and `segments` segments per edge. Refers to the mesh.
+/// The numbering of Plan, for faces with N corners and `segments` segments per edge. Refers to mesh and `turn`, as in Plan.
 template <int N>
 class ResultNumbers {
  public:
-  ResultNumbers(const Mesh& mesh, int segments);
+  ResultNumbers(const Mesh& mesh, const std::vector<std::uint8_t>& turn, int segments);
 
   /// Numbers of the first point inside half-edge h (the others follow upwards or, against the direction of the edge, downwards)
   /// and inside face f.
@@ -33,9 +34,10 @@ class ResultNumbers {
   void write_border(int f, std::uint32_t* border) const;
 
   const Mesh& mesh_;
+  const std::vector<std::uint8_t>& turn_;
   std::uint32_t n_, inside_, first_edge_, first_face_;
-  std::vector<std::uint32_t> interior_;  // per corner of the block: its row inside
-  std::vector<Patch> patches_;           // and those on the border
+  std::array<std::vector<std::uint32_t>, N> interior_;  // per turn and corner of the n * n faces: its row inside
+  std::vector<Patch> patches_;                          // and those on the border
 };
 
 }  // namespace udcp

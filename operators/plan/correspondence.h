@@ -16,8 +16,9 @@ Mesh half_edges_of(const FlatMesh<R>& flat);
 /// not connected. Linear.
 std::vector<int> correspondence(const Mesh& a, int half_a, const Mesh& b, int half_b);
 
-/// The half-edge of a plan's result that leaves the first corner of the first face of the mesh planned for, in the faces that
-/// come from that face; -1 where there is none. It corresponds to half-edge 0 of what run() makes.
-int first_half(const Mesh& result, const Mesh& planned);
+/// Per vertex of what run() makes of `planned` its number in what a plan makes of it; empty where the faces differ. Both order
+/// faces by the face that they come from, and run() starts with the one at its first corner; points that should be the same
+/// tell whether that holds. Linear.
+std::vector<int> numbers_in_plan(const Mesh& made_by_run, const Mesh& made_by_plan, const Mesh& planned);
 
 }  // namespace udcp

@@ -115,7 +115,7 @@ class FaceWork {
     };
     copy(first, block_.interior() - first, std::size_t{numbers_.in_face(face_)} + at(first));
     for (int k = 0; k < N; ++k) {
-      const int h = N * face_ + k;
+      const int h = N * face_ + (k + plan_.turn[at(face_)]) % N;
       if (writes_edge(k)) copy(block_.edge_row(k), block_.n - 1, numbers_.in_edge(h));
       if (writes_corner(k)) copy(block_.corner_row(k), 1, at(plan_.mesh->vertex[at(h)]));
     }
@@ -162,56 +162,97 @@ RunControl part_of(const RunControl& control, double from, double to) {
   return part;
 }
 
+// Faces are made in pieces.
+struct Pieces {
+  std::int64_t size = 1, jobs = 0;
+  template <class R>
+  explicit Pieces(const Plan<R>& plan)
+      : size(std::max<std::int64_t>(1, numbers_per_piece / (plan.segments * plan.segments))),
+        jobs(static_cast<std::int64_t>(plan.face.size())) {}
+
+  template <class Work>
+  void for_each(int threads, const RunControl& control, Work work) const {
+    for_each_piece((jobs + size - 1) / size, threads, control,
+                   [&](std::int64_t piece) { work(piece * size, std::min(jobs, (piece + 1) * size)); });
+  }
+};
+
 template <class R, int N>
-void execute_blocks(const Plan<R>& plan, const Buffer<double>& points, FlatMesh<R>& result, const PlanControl& control) {
+void make_points(const Plan<R>& plan, const Points<double>& points, FlatMesh<R>& result, int threads, const RunControl& control) {
   prepare(plan, result);
-  const std::size_t corners = at(plan.faces()) * N;
-  const bool connected = result.corners.size() == corners && result.corners_per_face == N;
-  const ResultNumbers<N> numbers(*plan.mesh, plan.segments);
-  const auto jobs = static_cast<std::int64_t>(plan.face.size());
-  const std::int64_t per_piece = std::max<std::int64_t>(1, numbers_per_piece / (plan.segments * plan.segments));
-  const std::int64_t pieces = (jobs + per_piece - 1) / per_piece;
-  const double split = connected ? 1 : 0.5;
-  for_each_piece(pieces, control.threads, part_of(control.run, 0, split), [&](std::int64_t piece) {
-    FaceWork<R, N> work(plan, numbers, points.data(), result);
-    work.run(piece * per_piece, std::min(jobs, (piece + 1) * per_piece));
+  const Buffer<double> fours = in_fours(points);
+  const ResultNumbers<N> numbers(*plan.mesh, plan.turn, plan.segments);
+  Pieces(plan).for_each(threads, control, [&](std::int64_t first, std::int64_t last) {
+    FaceWork<R, N>(plan, numbers, fours.data(), result).run(first, last);
   });
-  if (connected) return;
+}
+
+template <class R, int N>
+void make_corners(const Plan<R>& plan, FlatMesh<R>& result, int threads, const RunControl& control) {
+  const ResultNumbers<N> numbers(*plan.mesh, plan.turn, plan.segments);
   result.corners = {};
-  Buffer<std::uint32_t> filling(corners);
-  for_each_piece(pieces, control.threads, part_of(control.run, split, 1), [&](std::int64_t piece) {
-    numbers.write(static_cast<int>(piece * per_piece), static_cast<int>(std::min(jobs, (piece + 1) * per_piece)), filling.data());
+  Buffer<std::uint32_t> filling(at(plan.faces()) * N);
+  Pieces(plan).for_each(threads, control, [&](std::int64_t first, std::int64_t last) {
+    numbers.write(static_cast<int>(first), static_cast<int>(last), filling.data());
   });
   result.corners = std::move(filling);
   result.corners_per_face = N;
+}
+
+template <class R>
+void make_points(const Plan<R>& plan, const Points<double>& points, FlatMesh<R>& result, int threads, const RunControl& control) {
+  if (points.rows() != plan.mesh->vertices() || points.cols() < 1 || points.cols() > 3)
+    throw Error(ErrorKind::input, "E_POINTS",
+                "the plan needs " + std::to_string(plan.mesh->vertices()) + " points with one to three coordinates, got " +
+                    std::to_string(points.rows()) + " with " + std::to_string(points.cols()));
+  if (plan.corners_per_face == 3) {
+    make_points<R, 3>(plan, points, result, threads, control);
+  } else {
+    make_points<R, 4>(plan, points, result, threads, control);
+  }
 }
 
 }  // namespace
 
 template <class R>
 void execute_last(const Plan<R>& plan, const Points<double>& points, FlatMesh<R>& result, const PlanControl& control) {
-  if (points.rows() != plan.mesh->vertices() || points.cols() < 1 || points.cols() > 3)
-    throw Error(ErrorKind::input, "E_POINTS",
-                "the plan needs " + std::to_string(plan.mesh->vertices()) + " points with one to three coordinates, got " +
-                    std::to_string(points.rows()) + " with " + std::to_string(points.cols()));
-  const Buffer<double> fours = in_fours(points);
+  const bool connected =
+      result.corners.size() == at(plan.faces() * plan.corners_per_face) && result.corners_per_face == plan.corners_per_face;
+  const double split = connected ? 1 : 0.5;
+  make_points(plan, points, result, control.threads, part_of(control.run, 0, split));
+  if (connected) return;
+  const RunControl rest = part_of(control.run, split, 1);
   if (plan.corners_per_face == 3) {
-    execute_blocks<R, 3>(plan, fours, result, control);
+    make_corners<R, 3>(plan, result, control.threads, rest);
   } else {
-    execute_blocks<R, 4>(plan, fours, result, control);
+    make_corners<R, 4>(plan, result, control.threads, rest);
   }
+}
+
+Points<double> points_after(const RoundsBefore& before, const Points<double>& control_points, const PlanControl& control) {
+  RunControl silent;
+  silent.first_item = before.first_item;
+  silent.max_faces = control.run.max_faces;
+  silent.stop = control.run.stop;
+  if (!before.plan) {
+    Surface<double> surface = before.base;
+    surface.points = control_points;
+    return run(before.word, std::move(surface), before.rounds, silent).points;
+  }
+  const Plan<double>& plan = *before.plan;
+  FlatMesh<double> made;
+  make_points(plan, plan.before.is_empty() ? control_points : points_after(plan.before, control_points, control), made,
+              control.threads, silent);
+  Points<double> points(made.vertices(), control_points.cols());
+  for (Eigen::Index v = 0; v < points.rows(); ++v)
+    for (Eigen::Index c = 0; c < points.cols(); ++c) points(v, c) = made.points[3 * at(before.number[at(v)]) + at(c)];
+  return points;
 }
 
 template <class R>
 void execute(const Plan<R>& plan, const Points<double>& control_points, FlatMesh<R>& result, const PlanControl& control) {
-  if (plan.before == 0 && !plan.head_before) return execute_last(plan, control_points, result, control);
-  Surface<double> surface = plan.base;
-  surface.points = control_points;
-  RunControl before;
-  before.first_item = plan.first_item;
-  before.max_faces = control.run.max_faces;
-  before.stop = control.run.stop;
-  execute_last(plan, run(plan.word, std::move(surface), plan.before, before).points, result, control);
+  if (plan.before.is_empty()) return execute_last(plan, control_points, result, control);
+  execute_last(plan, points_after(plan.before, control_points, control), result, control);
 }
 
 #define UDCP_INSTANTIATE(R)                                                                            \

@@ -8,6 +8,7 @@
 #include "operators/interrupt.h"
 #include "operators/limit.h"
 #include "operators/plan/block.h"
+#include "operators/plan/correspondence.h"
 #include "operators/size_limits.h"
 
 namespace udcp {
@@ -23,6 +24,8 @@ constexpr double general_face = 130, plan_level = 60'000, face_column = 25, kind
 constexpr int most_segments = 64;
 // Bytes of tables while compiling: what a mesh of a few exotic vertices may cost, before its rounds go the general path.
 constexpr double most_table_bytes = 256e6;
+// Bytes of matrices in plans that are executed many times: they fit into the caches, or are less than what is written.
+constexpr double kept_bytes = 4e6, kept_share = 0.5;
 
 template <int N>
 std::int64_t points_in(const Mesh& mesh, int segments) {
@@ -62,20 +65,6 @@ double budget_for_kinds(const RoundsAhead& ahead, const Mesh& mesh, double colum
   return std::min(without_plan, later) - looking - plan_level * ahead.rounds;
 }
 
-// Vertices of high valence have wide matrices: what the kinds cost in time and, as tables of doubles, in memory.
-template <int N>
-bool is_affordable(const FaceKinds<N>& kinds, const RoundsAhead& ahead, double budget) {
-  const double n = ahead.segments(), a = ahead.arity;
-  const double most = kinds.most_vertices();
-  double cost = 0, bytes = 0;
-  for (int k = 0; k < kinds.size(); ++k) {
-    const double columns = kinds[k].vertices;
-    cost += cost_of_kind(ahead, columns);
-    bytes += 8 * columns * ((n + 1) * (n + 1) + a * a * most);
-  }
-  return cost <= budget && bytes <= most_table_bytes;
-}
-
 template <class R, int N>
 class Compiler {
  public:
@@ -96,7 +85,7 @@ class Compiler {
       if (most >= 1 && ahead_.segments() <= most_segments) {
         groups_ =
             group_faces<N>(*rest.surface.mesh, rest.surface.tags, ahead_.rings[0], static_cast<int>(most), control_.run.stop);
-        if (groups_.kinds.size() <= most && is_affordable(groups_.kinds, ahead_, budget)) return true;
+        if (groups_.kinds.size() <= most && is_affordable(*rest.surface.mesh, budget)) return true;
       }
       RunControl one;
       one.first_item = ahead_.first_item;
@@ -114,15 +103,37 @@ class Compiler {
     plan.content = content_;
     check_size(plan);
     const std::vector<Points<double>> matrices = face_matrices<N>(groups_.kinds, ahead_, content_, control_.run.stop);
-    for (const Points<double>& matrix : matrices) used_.push_back(used_columns(matrix));
-    count_jobs();
-    for (std::size_t k = 0; k < jobs_.size(); ++k)
-      if (jobs_[k] > 0) add_kind(matrices[k / N], used_[k / N], static_cast<int>(k % N), jobs_[k], plan);
-    order_faces(plan);
+    std::vector<std::int64_t> jobs(matrices.size(), 0);
+    for (std::size_t f = 0; f < groups_.kind.size(); ++f) {
+      ++jobs[at(groups_.kind[f])];
+      plan.turn.push_back(static_cast<std::uint8_t>(groups_.start[f] - N * static_cast<int>(f)));
+    }
+    std::vector<std::vector<int>> used;
+    for (std::size_t k = 0; k < matrices.size(); ++k) {
+      used.push_back(used_columns(matrices[k]));
+      add_kind(matrices[k], used[k], jobs[k], plan);
+    }
+    order_faces(used, plan);
     return plan;
   }
 
  private:
+  // Vertices of high valence have wide matrices: what the kinds cost in time, as tables of doubles, and in the plan.
+  [[nodiscard]] bool is_affordable(const Mesh& mesh, double budget) const {
+    const FaceKinds<N>& kinds = groups_.kinds;
+    const int n = ahead_.segments(), a = ahead_.arity;
+    const double rows = Block<N>{n}.points(), rows_of_children = a * a * static_cast<double>(kinds.most_vertices());
+    double cost = 0, columns = 0;
+    for (int k = 0; k < kinds.size(); ++k) {
+      cost += cost_of_kind(ahead_, kinds[k].vertices);
+      columns += kinds[k].vertices;
+    }
+    if (cost > budget || 8 * columns * (rows + rows_of_children) > most_table_bytes) return false;
+    if (!control_.always) return true;
+    const double written = 3.0 * static_cast<double>(points_in<N>(mesh, n));
+    return columns * rows * sizeof(R) <= std::max(kept_bytes, kept_share * written * sizeof(R));
+  }
+
   static void check_size(const Plan<R>& plan) {
     if (points_in<N>(*plan.mesh, plan.segments) <= std::numeric_limits<std::uint32_t>::max()) return;
     throw Error(ErrorKind::limit, "E_TOO_LARGE",
@@ -139,27 +150,13 @@ class Compiler {
     return used;
   }
 
-  // Faces that look alike from different corners have the rows of their matrix in another order: N * kind + corner.
-  [[nodiscard]] std::size_t turned_kind(std::size_t f) const {
-    return at(N) * at(groups_.kind[f]) + at(groups_.start[f]) - at(N) * f;
-  }
-
-  void count_jobs() {
-    jobs_.assign(at(N) * at(groups_.kinds.size()), 0);
-    for (std::size_t f = 0; f < groups_.kind.size(); ++f) ++jobs_[turned_kind(f)];
-  }
-
-  static void add_kind(const Points<double>& matrix, const std::vector<int>& used, int turn, std::int64_t jobs, Plan<R>& plan) {
-    const Block<N> block{plan.segments};
-    std::vector<int> rows(at(block.points()));
-    block.for_each_place([&](Place p) { rows[at(block.row(block.turned(p, turn)))] = block.row(p); });
+  void add_kind(const Points<double>& matrix, const std::vector<int>& used, std::int64_t jobs, Plan<R>& plan) {
     typename Plan<R>::Kind kind;
     kind.first_job = static_cast<std::int64_t>(plan.face.size());
     kind.first_vertex = plan.vertex.size();
-    for (Eigen::Index first = 0; first < matrix.rows(); first += block.points()) {
-      kind.layers.push_back(make_panels<R>(matrix, rows, used));
-      for (int& row : rows) row += block.points();
-    }
+    const int points = Block<N>{plan.segments}.points();
+    for (int first = 0; first < matrix.rows(); first += points)
+      kind.layers.push_back(make_panels<R>(matrix, first, points, used));
     plan.kinds.push_back(std::move(kind));
     plan.face.resize(plan.face.size() + at(jobs));
     plan.writes.resize(plan.face.size());
@@ -168,12 +165,13 @@ class Compiler {
 
   // Of what faces share, one of them writes: of an edge the one along which its points are numbered; of a vertex one with a low
   // corner there, as the rows of the last corner are the last ones, and those that nobody writes at the end are not computed.
-  static std::vector<std::uint8_t> writers(const Mesh& mesh) {
+  static std::vector<std::uint8_t> writers(const Plan<R>& plan) {
+    const Mesh& mesh = *plan.mesh;
     std::vector<std::uint8_t> writes(at(mesh.faces()), 0);
     std::vector<bool> written(at(mesh.vertices()), false);
     for (int corner = 0; corner < N; ++corner) {
-      for (std::size_t f = 0, h = at(corner); f < writes.size(); ++f, h += at(N)) {
-        const auto v = at(mesh.vertex[h]);
+      for (std::size_t f = 0; f < writes.size(); ++f) {
+        const std::size_t h = N * f + at((corner + plan.turn[f]) % N), v = at(mesh.vertex[h]);
         const bool edge = mesh.edge_half[at(mesh.edge[h])] == static_cast<int>(h), vertex = !written[v];
         writes[f] = static_cast<std::uint8_t>(writes[f] | (int{edge} << corner) | (int{vertex} << (N + corner)));
         written[v] = true;
@@ -183,20 +181,16 @@ class Compiler {
   }
 
   // Counting sort; within a kind the faces stay in order.
-  void order_faces(Plan<R>& plan) {
-    std::vector<std::int64_t> next(jobs_.size());
-    std::vector<std::size_t> vertex(jobs_.size());
-    for (std::size_t k = 0, kind = 0; k < jobs_.size(); ++k) {
-      if (jobs_[k] == 0) continue;
-      next[k] = plan.kinds[kind].first_job;
-      vertex[k] = plan.kinds[kind++].first_vertex;
-    }
-    const std::vector<std::uint8_t> writes = writers(*plan.mesh);
+  void order_faces(const std::vector<std::vector<int>>& used, Plan<R>& plan) {
+    std::vector<std::int64_t> next;
+    std::vector<std::size_t> vertex;
+    for (const auto& kind : plan.kinds) next.push_back(kind.first_job), vertex.push_back(kind.first_vertex);
+    const std::vector<std::uint8_t> writes = writers(plan);
     for (std::size_t f = 0; f < groups_.kind.size(); ++f) {
-      const std::size_t k = turned_kind(f);
+      const std::size_t k = at(groups_.kind[f]);
       plan.writes[at(next[k])] = writes[f];
       plan.face[at(next[k]++)] = static_cast<int>(f);
-      for (const int column : used_[k / N]) plan.vertex[vertex[k]++] = groups_.vertex[groups_.first_vertex[f] + at(column)];
+      for (const int column : used[k]) plan.vertex[vertex[k]++] = groups_.vertex[groups_.first_vertex[f] + at(column)];
     }
   }
 
@@ -205,8 +199,6 @@ class Compiler {
   BlockContent content_;
   RoundsAhead ahead_;
   FaceGroups<N> groups_;
-  std::vector<std::vector<int>> used_;  // per kind: the columns that play a part
-  std::vector<std::int64_t> jobs_;      // per kind and corner: the faces
 };
 
 // The head, and one round where faces are not all of one size yet.
@@ -231,6 +223,24 @@ void compile_rounds(const Word& planned, int rounds, const PlanControl& control,
   Compiler<R, N> compiler(planned, control);
   if (!compiler.find_kinds(result.rest, first, rounds)) return;
   result.plan = compiler.plan(result.rest.surface);
+}
+
+// A plan for the rounds before, where one applies. It is used if it makes the points that were made without it.
+void plan_before(const Surface<double>& surface, const Mesh& made, const Points<double>& points, const RunControl& run,
+                 RoundsBefore& before) {
+  if (before.rounds == 0) return;
+  PlanControl control{run};
+  control.run.progress = nullptr;
+  control.always = true;
+  Compiled<double> compiled = compile<double>(before.word, surface, before.rounds, control);
+  if (!compiled.plan) return;
+  FlatMesh<double> flat;
+  execute(*compiled.plan, surface.points, flat, control);
+  before.number = numbers_in_plan(made, half_edges_of(flat), *compiled.plan->mesh);
+  if (before.number.empty()) return;
+  before.plan = std::make_shared<const Plan<double>>(*std::move(compiled.plan));
+  const double apart = (points_after(before, surface.points, control) - points).cwiseAbs().maxCoeff();
+  if (!(apart <= 1e-9 * points.cwiseAbs().maxCoeff())) before.plan = nullptr;
 }
 
 // As run() counts and refuses, for the arrays that a plan makes.
@@ -279,12 +289,15 @@ Compiled<R> compile(const Word& word, const Surface<double>& surface, int rounds
   }
   if (!result.plan) return result;
   Plan<R>& plan = *result.plan;
-  plan.word = *planned;
-  plan.base = {surface.mesh, {}, surface.tags, surface.attributes};
-  plan.before = result.rest.done;
-  plan.first_item = control.run.first_item;
-  plan.head_before = result.rest.head_done;
+  plan.before = {*planned,
+                 {surface.mesh, {}, surface.tags, surface.attributes},
+                 result.rest.done,
+                 control.run.first_item,
+                 result.rest.head_done,
+                 nullptr,
+                 {}};
   result.points = std::move(result.rest.surface.points);
+  if (control.always) plan_before(surface, *plan.mesh, result.points, control.run, plan.before);
   return result;
 }
 

@@ -17,35 +17,50 @@ struct PlanControl {
   RunControl run;             // first_item, limits, stop and progress, as for run()
   bool limit_points = false;  // the limits of the refined points instead of the points
   bool normals = false;       // of the limit surface, at the refined points
-  bool always = false;        // plan from the mesh as it is, whatever it costs; for plans that are executed many times
+  bool always = false;        // for plans that are executed many times: execute() shall be fast, whatever compile() costs
   int threads = 1;
 };
+
+template <class R>
+struct Plan;
+
+/// What goes before a plan on the general path: the head of the word and a few rounds. With PlanControl::always these have a plan
+/// of their own where one applies.
+struct RoundsBefore {
+  Word word;
+  Surface<double> base;  // the mesh that was compiled, without points
+  int rounds = 0, first_item = 0;
+  bool head = false;
+  std::shared_ptr<const Plan<double>> plan;
+  std::vector<int> number;  // with a plan: per vertex that run() makes its number in the result of the plan
+  [[nodiscard]] bool is_empty() const { return rounds == 0 && !head; }
+};
+
+/// The points that the rounds before make of control points, in the order of run().
+Points<double> points_after(const RoundsBefore& before, const Points<double>& control_points, const PlanControl& control);
 
 /// What compile() makes and execute() runs. R = float or double.
 ///
 /// The result has n = `segments` segments per edge of `mesh`, which is the mesh given, or the one that a few rounds on the
 /// general path made of it. Its points: those of `mesh`; then the n - 1 inside every edge e, along mesh.edge_half[e]; then those
-/// inside every face, row by row from its first corner, the rows along its first edge. Its faces: n * n per face, likewise.
+/// inside every face, row by row from the corner where the face looks as others of its kind do, the rows along the edge that
+/// leaves it. Its faces: n * n per face, row by row from its first corner.
 template <class R>
 struct Plan {
-  // The rounds that go before on the general path: `before` of them, with the head if there is one.
-  Word word;
-  Surface<double> base;  // without points
-  int before = 0, first_item = 0;
-  bool head_before = false;
-
+  RoundsBefore before;
   std::shared_ptr<const Mesh> mesh;
   int corners_per_face = 4, segments = 1;
   BlockContent content;
 
-  struct Kind {                          // of faces, and the corner from which they look alike
+  struct Kind {                          // of faces
     std::vector<PanelMatrix<R>> layers;  // points; with normals also the two tangents
     std::int64_t first_job = 0;          // its faces are jobs first_job .. up to those of the next kind
     std::size_t first_vertex = 0;        // of its first job in `vertex`
   };
   std::vector<Kind> kinds;
+  std::vector<std::uint8_t> turn;     // per face of `mesh`: its corner and edge that are 0 for its kind
   std::vector<int> face;              // per job
-  std::vector<std::uint8_t> writes;   // per job: bit k for its edge k, bit corners_per_face + k for its corner k
+  std::vector<std::uint8_t> writes;   // per job: bit k for edge k of the kind, bit corners_per_face + k for corner k
   std::vector<std::uint32_t> vertex;  // per job and column of its matrix: the vertex of `mesh` it is multiplied with
 
   [[nodiscard]] std::int64_t vertices() const;

@@ -118,16 +118,15 @@ Multiply<R> best_multiply() {
 }  // namespace
 
 template <class R>
-PanelMatrix<R> make_panels(const Points<double>& matrix, const std::vector<int>& rows, const std::vector<int>& columns) {
-  PanelMatrix<R> result{static_cast<int>(rows.size()), static_cast<int>(columns.size()) - 1, {}};
-  constexpr std::size_t height = panel_rows<R>;
-  const auto panels = static_cast<std::size_t>(result.panels());
-  result.values = Buffer<R>(panels * height * (columns.size() - 1));
+PanelMatrix<R> make_panels(const Points<double>& matrix, int first, int rows, const std::vector<int>& columns) {
+  PanelMatrix<R> result{rows, static_cast<int>(columns.size()) - 1, {}};
+  const int end = result.panels() * panel_rows<R>;
+  result.values = Buffer<R>(static_cast<std::size_t>(end) * (columns.size() - 1));
   R* out = result.values.data();
-  for (std::size_t first = 0; first < panels * height; first += height)
+  for (int panel = 0; panel < end; panel += panel_rows<R>)
     for (std::size_t k = 1; k < columns.size(); ++k)
-      for (std::size_t row = first; row < first + height; ++row)
-        *out++ = row < rows.size() ? static_cast<R>(matrix(rows[row], columns[k])) : R(0);
+      for (int row = panel; row < panel + panel_rows<R>; ++row)
+        *out++ = row < rows ? static_cast<R>(matrix(first + row, columns[k])) : R(0);
   return result;
 }
 
@@ -137,8 +136,8 @@ void multiply(const PanelMatrix<R>& matrix, int first, int last, const R* points
   chosen(matrix.panel(first), matrix.columns, last - first, points, origin, out);
 }
 
-#define UDCP_INSTANTIATE(R)                                                                                     \
-  template PanelMatrix<R> make_panels(const Points<double>&, const std::vector<int>&, const std::vector<int>&); \
+#define UDCP_INSTANTIATE(R)                                                                      \
+  template PanelMatrix<R> make_panels(const Points<double>&, int, int, const std::vector<int>&); \
   template void multiply(const PanelMatrix<R>&, int, int, const R*, const R*, R*);
 UDCP_INSTANTIATE(float)
 UDCP_INSTANTIATE(double)

@@ -24,9 +24,9 @@ struct PanelMatrix {
   }
 };
 
-/// The rows of `matrix` that are listed and the columns after the first of those that are listed, in that order, rounded to R.
+/// Rows `first` .. `first` + `rows` - 1 of `matrix` and the columns after the first of those that are listed, rounded to R.
 template <class R>
-PanelMatrix<R> make_panels(const Points<double>& matrix, const std::vector<int>& rows, const std::vector<int>& columns);
+PanelMatrix<R> make_panels(const Points<double>& matrix, int first, int rows, const std::vector<int>& columns);
 
 /// out = origin + panels `first` .. `last` - 1 of the matrix times the points: one row of x y z and a number that is not read per
 /// column of the matrix; x y z x y z .. out, whole panels. Every row is summed in the order of the columns, with fused operations

@@ -39,6 +39,25 @@ TEST_SUITE("interpreter") {
     }
   }
 
+  TEST_CASE("a kept plan keeps apart the equal parts of a mesh") {
+    const Word word = schemes::catmull_clark();
+    const Surface<double> one = torus<double>(6, 4, 2, 1);
+    const int n = one.mesh->vertices();
+    std::vector<int> begin = one.mesh->face_begin, corners = one.mesh->vertex;
+    for (const int v : one.mesh->vertex) corners.push_back(n + v);
+    for (int f = 0; f < one.mesh->faces(); ++f) begin.push_back(begin.back() + 4);
+    Surface<double> two;
+    two.mesh = std::make_shared<const Mesh>(make_mesh(2 * n, std::move(begin), std::move(corners)));
+    two.points.resize(2 * n, 3);
+    two.points << one.points, (one.points * 0.5).array() + 4;
+    KeptPlan kept;
+    kept.remember(word, two, rounds, run(word, two, rounds));
+    const Surface<double> surface = moved(two, 0.5);
+    const std::optional<Surface<double>> found = kept.refine(word, surface, rounds, {});
+    REQUIRE(found);
+    CHECK(largest(found->points - run(word, surface, rounds).points) < 1e-12 * largest(surface.points));
+  }
+
   TEST_CASE("a kept plan serves no other word and no other connectivity") {
     const Word word = schemes::catmull_clark();
     const Surface<double> base = torus<double>(6, 4, 2, 1);

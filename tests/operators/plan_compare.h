@@ -21,7 +21,7 @@ double difference_to_run(const Word& word, const Surface<double>& surface, int r
   execute(*compiled.plan, surface.points, flat, control);
   const Surface<double> expected = run(word, surface, rounds, control.run);
   const Mesh mesh = half_edges_of(flat);
-  const std::vector<int> counterpart = correspondence(*expected.mesh, 0, mesh, first_half(mesh, *compiled.plan->mesh));
+  const std::vector<int> counterpart = numbers_in_plan(*expected.mesh, mesh, *compiled.plan->mesh);
   if (counterpart.empty()) return -1;
   for (int v = 0; v < surface.mesh->vertices(); ++v)
     if (counterpart[Mesh::i(v)] != v) return -1;

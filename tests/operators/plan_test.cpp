@@ -31,6 +31,13 @@ bool same(const Buffer<T>& a, const Buffer<T>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end());
 }
 
+Mesh joined(const Mesh& a, const Mesh& b) {
+  std::vector<int> begin = a.face_begin, corners = a.vertex;
+  for (int f = 0; f < b.faces(); ++f) begin.push_back(begin.back() + b.size(f));
+  for (const int v : b.vertex) corners.push_back(a.vertices() + v);
+  return make_mesh(a.vertices() + b.vertices(), std::move(begin), std::move(corners));
+}
+
 // Limits at the vertices of run(), in the order of a plan's result.
 struct Expected {
   Limit limit;
@@ -45,7 +52,7 @@ Expected expected_limits(const Word& word, const Surface<double>& surface, int r
   RunControl after;
   after.first_item = word.items(rounds);
   const Mesh mesh = half_edges_of(flat);
-  Expected result{limit(word, fine, after), correspondence(*fine.mesh, 0, mesh, first_half(mesh, *compiled.plan->mesh))};
+  Expected result{limit(word, fine, after), numbers_in_plan(*fine.mesh, mesh, *compiled.plan->mesh)};
   REQUIRE(result.counterpart.size() == Mesh::i(fine.mesh->vertices()));
   return result;
 }
@@ -85,7 +92,7 @@ TEST_SUITE("operators") {
       }
     }
     for (int f = 0; f < mesh.faces(); ++f) {
-      const int h = 4 * f, first = mesh.vertices() + 3 * mesh.edges() + 9 * f;
+      const int h = 4 * f + plan.turn[Mesh::i(f)], first = mesh.vertices() + 3 * mesh.edges() + 9 * f;
       const int a = mesh.vertex[Mesh::i(h)], b = mesh.tip(h), c = mesh.tip(mesh.next(h)), d = mesh.vertex[Mesh::i(mesh.prev(h))];
       for (int j = 1; j < 4; ++j) {
         for (int i = 1; i < 4; ++i) {
@@ -147,15 +154,15 @@ TEST_SUITE("operators") {
   TEST_CASE("many rounds on a small mesh go over an intermediate level and agree") {
     const Compiled<double> compiled = compile<double>(schemes::catmull_clark(), cube<double>(), 7);
     REQUIRE(compiled.plan);
-    CHECK(compiled.plan->before > 0);
-    CHECK(compiled.plan->before < 7);
+    CHECK(compiled.plan->before.rounds > 0);
+    CHECK(compiled.plan->before.rounds < 7);
     Dice dice(92);
     const Surface<double> surface = random_surface<double>(dice, *cube<double>().mesh);
     FlatMesh<double> flat;
     execute(*compiled.plan, surface.points, flat);
     const Surface<double> expected = run(schemes::catmull_clark(), surface, 7);
     const Mesh mesh = half_edges_of(flat);
-    const std::vector<int> counterpart = correspondence(*expected.mesh, 0, mesh, first_half(mesh, *compiled.plan->mesh));
+    const std::vector<int> counterpart = numbers_in_plan(*expected.mesh, mesh, *compiled.plan->mesh);
     REQUIRE_FALSE(counterpart.empty());
     CHECK(difference(flat.points, expected.points, counterpart) < 1e-12);
   }
@@ -163,11 +170,26 @@ TEST_SUITE("operators") {
   TEST_CASE("a plan for many rounds has no more than 64 segments per edge") {
     const Compiled<double> compiled = compile<double>(schemes::catmull_clark(), cube<double>(), 8, always());
     REQUIRE(compiled.plan);
-    CHECK(compiled.plan->before == 2);
+    CHECK(compiled.plan->before.rounds == 2);
     CHECK(compiled.plan->segments == 64);
     CHECK(compiled.plan->faces() == 393216);  // 6 * 4^8
     CHECK(compiled.plan->vertices() == 393218);
     CHECK(compiled.plan->bytes() == 393218 * 24 + 393216 * 16);
+  }
+
+  TEST_CASE("the rounds before a plan that is kept have a plan too and agree in all parts of a mesh") {
+    Dice dice(96);
+    const Surface<double> two = random_surface<double>(dice, joined(*cube<double>().mesh, *torus<double>(3, 4, 3, 1).mesh));
+    for (const Word& word : {schemes::catmull_clark(), scheme("UCP", half_cosine())}) {
+      const Compiled<double> compiled = compile<double>(word, two, 7, always());
+      REQUIRE(compiled.plan);
+      CHECK(compiled.plan->before.rounds == 1);
+      CHECK(compiled.plan->before.plan);
+      CHECK(test::difference_to_run<double>(word, two, 7) < 1e-12);
+    }
+    const Compiled<double> cold = compile<double>(schemes::catmull_clark(), two, 7);
+    REQUIRE(cold.plan);
+    CHECK_FALSE(cold.plan->before.plan);
   }
 
   TEST_CASE("vertices of high valence are planned or go the general path and agree") {

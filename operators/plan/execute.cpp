@@ -154,61 +154,39 @@ void prepare(const Plan<R>& plan, FlatMesh<R>& result) {
   if (plan.content.tangents) result.normals = Buffer<R>(size);
 }
 
-// Two kinds of work one after the other, as one in the eyes of control.progress.
-RunControl part_of(const RunControl& control, double from, double to) {
-  RunControl part = control;
-  if (control.progress)
-    part.progress = [report = control.progress, from, to](double fraction) { report(from + (to - from) * fraction); };
-  return part;
-}
-
-// Faces are made in pieces.
-struct Pieces {
-  std::int64_t size = 1, jobs = 0;
-  template <class R>
-  explicit Pieces(const Plan<R>& plan)
-      : size(std::max<std::int64_t>(1, numbers_per_piece / (plan.segments * plan.segments))),
-        jobs(static_cast<std::int64_t>(plan.face.size())) {}
-
-  template <class Work>
-  void for_each(int threads, const RunControl& control, Work work) const {
-    for_each_piece((jobs + size - 1) / size, threads, control,
-                   [&](std::int64_t piece) { work(piece * size, std::min(jobs, (piece + 1) * size)); });
-  }
-};
-
 template <class R, int N>
-void make_points(const Plan<R>& plan, const Points<double>& points, FlatMesh<R>& result, int threads, const RunControl& control) {
+void make(const Plan<R>& plan, const Points<double>& points, FlatMesh<R>& result, bool with_corners, const PlanControl& control) {
   prepare(plan, result);
+  Buffer<std::uint32_t> corners(with_corners ? at(plan.faces()) * N : 0);
   const Buffer<double> fours = in_fours(points);
   const ResultNumbers<N> numbers(*plan.mesh, plan.turn, plan.segments);
-  Pieces(plan).for_each(threads, control, [&](std::int64_t first, std::int64_t last) {
-    FaceWork<R, N>(plan, numbers, fours.data(), result).run(first, last);
+  const auto jobs = static_cast<std::int64_t>(plan.face.size());
+  const std::int64_t size = std::max<std::int64_t>(1, numbers_per_piece / (plan.segments * plan.segments));
+  const std::int64_t pieces = (jobs + size - 1) / size;
+  const int parts = with_corners ? 2 : 1;  // of the work on the same faces
+  for_each_piece(parts * pieces, control.threads, control.run, [&](std::int64_t piece) {
+    const std::int64_t first = piece / parts * size, last = std::min(jobs, first + size);
+    if (piece % parts == 0) {
+      FaceWork<R, N>(plan, numbers, fours.data(), result).run(first, last);
+    } else {
+      numbers.write(static_cast<int>(first), static_cast<int>(last), corners.data());
+    }
   });
-}
-
-template <class R, int N>
-void make_corners(const Plan<R>& plan, FlatMesh<R>& result, int threads, const RunControl& control) {
-  const ResultNumbers<N> numbers(*plan.mesh, plan.turn, plan.segments);
-  result.corners = {};
-  Buffer<std::uint32_t> filling(at(plan.faces()) * N);
-  Pieces(plan).for_each(threads, control, [&](std::int64_t first, std::int64_t last) {
-    numbers.write(static_cast<int>(first), static_cast<int>(last), filling.data());
-  });
-  result.corners = std::move(filling);
+  if (!with_corners) return;
+  result.corners = std::move(corners);
   result.corners_per_face = N;
 }
 
 template <class R>
-void make_points(const Plan<R>& plan, const Points<double>& points, FlatMesh<R>& result, int threads, const RunControl& control) {
+void make(const Plan<R>& plan, const Points<double>& points, FlatMesh<R>& result, bool with_corners, const PlanControl& control) {
   if (points.rows() != plan.mesh->vertices() || points.cols() < 1 || points.cols() > 3)
     throw Error(ErrorKind::input, "E_POINTS",
                 "the plan needs " + std::to_string(plan.mesh->vertices()) + " points with one to three coordinates, got " +
                     std::to_string(points.rows()) + " with " + std::to_string(points.cols()));
   if (plan.corners_per_face == 3) {
-    make_points<R, 3>(plan, points, result, threads, control);
+    make<R, 3>(plan, points, result, with_corners, control);
   } else {
-    make_points<R, 4>(plan, points, result, threads, control);
+    make<R, 4>(plan, points, result, with_corners, control);
   }
 }
 
@@ -217,32 +195,27 @@ void make_points(const Plan<R>& plan, const Points<double>& points, FlatMesh<R>&
 template <class R>
 void execute_last(const Plan<R>& plan, const Points<double>& points, FlatMesh<R>& result, const PlanControl& control) {
   const bool connected =
-      result.corners.size() == at(plan.faces() * plan.corners_per_face) && result.corners_per_face == plan.corners_per_face;
-  const double split = connected ? 1 : 0.5;
-  make_points(plan, points, result, control.threads, part_of(control.run, 0, split));
-  if (connected) return;
-  const RunControl rest = part_of(control.run, split, 1);
-  if (plan.corners_per_face == 3) {
-    make_corners<R, 3>(plan, result, control.threads, rest);
-  } else {
-    make_corners<R, 4>(plan, result, control.threads, rest);
-  }
+      result.corners_per_face == plan.corners_per_face && result.corners.size() == at(plan.faces() * plan.corners_per_face);
+  if (!connected) result.corners = {};
+  make(plan, points, result, !connected, control);
 }
 
 Points<double> points_after(const RoundsBefore& before, const Points<double>& control_points, const PlanControl& control) {
-  RunControl silent;
-  silent.first_item = before.first_item;
-  silent.max_faces = control.run.max_faces;
-  silent.stop = control.run.stop;
+  PlanControl silent = control;
+  silent.run.progress = nullptr;
+  silent.run.first_item = before.first_item;
   if (!before.plan) {
     Surface<double> surface = before.base;
     surface.points = control_points;
-    return run(before.word, std::move(surface), before.rounds, silent).points;
+    return run(before.word, std::move(surface), before.rounds, silent.run).points;
   }
   const Plan<double>& plan = *before.plan;
   FlatMesh<double> made;
-  make_points(plan, plan.before.is_empty() ? control_points : points_after(plan.before, control_points, control), made,
-              control.threads, silent);
+  if (plan.before.is_empty()) {
+    make(plan, control_points, made, false, silent);
+  } else {
+    make(plan, points_after(plan.before, control_points, silent), made, false, silent);
+  }
   Points<double> points(made.vertices(), control_points.cols());
   for (Eigen::Index v = 0; v < points.rows(); ++v)
     for (Eigen::Index c = 0; c < points.cols(); ++c) points(v, c) = made.points[3 * at(before.number[at(v)]) + at(c)];

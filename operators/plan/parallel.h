@@ -1,8 +1,8 @@
 // Work in equal pieces on a few threads. Knows nothing of what the pieces are.
 //
 // std::thread, as every piece is independent, all take about the same time, and there are a few hundred of them at most: a pool
-// or OpenMP would add a dependency and save nothing that can be measured. Threads take the next piece when they are done with
-// one, so a busy machine does not make them wait for one another.
+// or OpenMP would add a dependency and save nothing that can be measured. Threads that are done with
+// their share help the others, so a busy machine does not make them wait for one another.
 #pragma once
 
 #include <cstdint>

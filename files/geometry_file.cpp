@@ -110,7 +110,7 @@ std::string save_bytes(const Surface<double>& surface, const std::string& given,
   const std::string format = mesh_format(given);
   Points<double> padded;
   const MeshView<double> mesh = view_of(surface, options, padded);
-  Writer out(expected_size(mesh));
+  Writer out(expected_size(mesh), options.stop);
   write(out, mesh, format, options);
   return out.take();
 }
@@ -118,7 +118,7 @@ std::string save_bytes(const Surface<double>& surface, const std::string& given,
 void save(const Surface<double>& surface, const std::filesystem::path& file, const SaveOptions& options) {
   const std::string format = mesh_format(file, options.format);
   Points<double> padded;
-  Writer out(file);
+  Writer out(file, options.stop);
   write(out, view_of(surface, options, padded), format, options);
   out.commit();
 }
@@ -127,7 +127,7 @@ template <class R>
 std::string save_bytes(const FlatMesh<R>& flat, const std::string& given, const SaveOptions& options) {
   const std::string format = mesh_format(given);
   const MeshView<R> mesh = view_of(flat, options);
-  Writer out(expected_size(mesh));
+  Writer out(expected_size(mesh), options.stop);
   write(out, mesh, format, options);
   return out.take();
 }
@@ -135,7 +135,7 @@ std::string save_bytes(const FlatMesh<R>& flat, const std::string& given, const 
 template <class R>
 void save(const FlatMesh<R>& mesh, const std::filesystem::path& file, const SaveOptions& options) {
   const std::string format = mesh_format(file, options.format);
-  Writer out(file);
+  Writer out(file, options.stop);
   write(out, view_of(mesh, options), format, options);
   out.commit();
 }
@@ -166,7 +166,7 @@ void save_animation(const std::vector<Surface<double>>& frames, const std::files
                     double frames_per_second) {
   const std::string format = format_of(file, options.format);
   if (!is_gltf(format)) fail_format(ErrorKind::input, "E_FORMAT", file.string(), format, "glb and gltf, for animations");
-  Writer out(file);
+  Writer out(file, options.stop);
   write_gltf_animation(out, frames, format == "glb", options, frames_per_second);
   out.commit();
 }

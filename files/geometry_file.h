@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <cstdint>
 #include <filesystem>
 #include <map>
@@ -48,6 +49,7 @@ struct SaveOptions {
   bool zero_matters = false;                      // of that attribute: values that are not positive are red
   const Points<double>* normals = nullptr;  // unit normals per vertex (OBJ, PLY, glTF); null: area-weighted ones (glTF only)
   std::string format;                       // empty: by extension. "ply-ascii" besides the names of load
+  const std::atomic<bool>* stop = nullptr;  // set: writing a mesh ends with E_INTERRUPTED, and the file is as it was
 };
 /// OBJ (tags as groups corner, lat, lon), PLY (binary, with attributes), OFF, STL, glTF/GLB (triangles, float). Text numbers
 /// round-trip. The file appears as with write_file, but is written piece by piece and never lies in memory. Throws Error{input}:

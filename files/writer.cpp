@@ -1,19 +1,24 @@
 // The buffer of a writer: large enough that a call to the system costs little, small enough to stay in the cache.
 #include "files/writer.h"
 
+#include "operators/interrupt.h"
+
 namespace udcp {
 namespace {
 
 constexpr std::size_t buffer_size = std::size_t{1} << 18;
+constexpr std::size_t at_once = std::size_t{1} << 24;  // bytes that no stop interrupts
 
 }  // namespace
 
-Writer::Writer(std::size_t expected_size) {
+Writer::Writer(std::size_t expected_size, const std::atomic<bool>* stop) : stop_(stop) {
   if (expected_size > buffer_size) text_.reserve(expected_size);
   make_room(std::clamp<std::size_t>(expected_size, 256, buffer_size));
 }
 
-Writer::Writer(std::filesystem::path file) : to_file_(true), file_(std::move(file)) { make_room(buffer_size); }
+Writer::Writer(std::filesystem::path file, const std::atomic<bool>* stop) : stop_(stop), to_file_(true), file_(std::move(file)) {
+  make_room(buffer_size);
+}
 
 void Writer::make_room(std::size_t bytes) {
   flush();
@@ -32,10 +37,11 @@ void Writer::flush() {
 
 void Writer::write_large(std::string_view bytes) {
   flush();
-  pass_on(bytes);
+  for (; !bytes.empty(); bytes.remove_prefix(std::min(bytes.size(), at_once))) pass_on(bytes.substr(0, at_once));
 }
 
 void Writer::pass_on(std::string_view bytes) {
+  throw_if_stopped(stop_);
   if (!to_file_) {
     text_.append(bytes);
   } else {
@@ -51,6 +57,7 @@ std::string Writer::take() {
 
 void Writer::commit() {
   flush();
+  throw_if_stopped(stop_);
   if (!sink_) sink_.emplace(file_);
   sink_->commit();
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <atomic>
 #include <bit>
 #include <charconv>
 #include <cstring>
@@ -23,10 +24,10 @@ static_assert(std::endian::native == std::endian::little);
 
 class Writer {
  public:
-  /// Into memory; take() hands it out.
-  explicit Writer(std::size_t expected_size);
+  /// Into memory; take() hands it out. Both: writing throws E_INTERRUPTED soon after `stop` is set.
+  explicit Writer(std::size_t expected_size, const std::atomic<bool>* stop = nullptr);
   /// Into a file, which is opened when the first bytes go there and appears with commit(); errors of write_file.
-  explicit Writer(std::filesystem::path file);
+  explicit Writer(std::filesystem::path file, const std::atomic<bool>* stop = nullptr);
 
   /// A place for at least so many bytes; `filled` says where those that were written there end.
   char* room(std::size_t bytes) {
@@ -80,6 +81,7 @@ class Writer {
   char* at_ = nullptr;
   char* end_ = nullptr;
   std::string text_;  // in memory: what has left the buffer
+  const std::atomic<bool>* stop_;
   bool to_file_ = false;
   std::filesystem::path file_;
   std::optional<FileSink> sink_;

@@ -131,6 +131,7 @@ void save_mesh(CallContext& context, const MeshValue& mesh, const std::filesyste
   if (mesh.control && in_scene) return save_mesh(context, limit_surface(mesh, context), path, a);
   SaveOptions options;
   options.word = mesh.word;
+  options.stop = context.stop.get();
   const Surface<double> surface = as_double(mesh);
   auto normals = mesh.normals;
   if (!normals && mesh.scheme && in_scene)

@@ -139,6 +139,7 @@ void apply_to_file(const CommandLine& line, Session& session, Console& console, 
   SaveOptions options;
   options.word = word.source;
   options.format = line.format;
+  options.stop = &stop;
   const std::string format = format_of(line);
   constexpr std::int64_t worth_it = 20'000;  // faces; fewer cost no time, and their points have the order of a program's
   if (rounds == 0 || keeps_marks(surface, format) || faces_after(word, surface, rounds) < worth_it)

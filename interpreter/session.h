@@ -20,7 +20,7 @@ struct Settings {
   int precision = 128;  // bits of enclosures
   std::int64_t max_faces = 50'000'000;
   std::int64_t max_bytes = 0;  // 0: three quarters of the physical memory
-  int threads = 0;             // reserved for engines that use them; 0: all
+  int threads = 0;             // that plans are executed on; 0: all
   std::uint64_t seed = 0;      // added to every noise seed
   bool quiet = false;
 };

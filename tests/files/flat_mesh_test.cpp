@@ -3,8 +3,10 @@
 
 #include <sys/resource.h>
 
+#include <atomic>
 #include <csignal>
 
+#include "files/writer.h"
 #include "folder.h"
 #include "gltf_opinion.h"
 #include "operators/shapes.h"
@@ -227,5 +229,33 @@ TEST_SUITE("files") {
     CHECK(refusal([&] { save(broken, file); }).starts_with("E_NOT_FINITE"));
     CHECK(read_file(file) == "old");
     CHECK(folder.entries() == 6);
+  }
+
+  TEST_CASE("a stop ends the writing of a mesh and leaves the file as it was") {
+    const Folder folder;
+    const auto file = folder.path / "a.obj";
+    write_file(file, "old");
+    std::atomic<bool> stop = true;
+    SaveOptions options;
+    options.stop = &stop;
+    const Surface<double> surface = wavy(40);
+    for (const char* format : {"obj", "ply", "glb", "gltf", "stl", "off"}) {
+      options.format = format;
+      CHECK(refusal([&] { save(surface, file, options); }).starts_with("E_INTERRUPTED"));
+      CHECK(refusal([&] { save(flat<float>(surface), file, options); }).starts_with("E_INTERRUPTED"));
+    }
+    CHECK(read_file(file) == "old");
+    CHECK(folder.entries() == 1);
+    stop = false;
+    {
+      Writer out(file, &stop);  // stopped in the middle
+      const std::string megabyte(1 << 20, 'x');
+      out << megabyte;
+      CHECK(folder.entries() == 2);
+      stop = true;
+      CHECK(refusal([&] { out << megabyte; }).starts_with("E_INTERRUPTED"));
+    }
+    CHECK(read_file(file) == "old");
+    CHECK(folder.entries() == 1);
   }
 }

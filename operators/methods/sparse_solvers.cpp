@@ -45,7 +45,8 @@ LeastNorm least_norm_solution(int rows, int columns, const std::vector<Entry>& e
   if (qr.info() != Eigen::Success) throw Error(ErrorKind::limit, "E_SINGULAR", "the linear system could not be solved", "");
   const Eigen::Index k = qr.rank();
   const Eigen::VectorXd permuted = qr.colsPermutation().transpose() * right;
-  const Sparse triangle = qr.matrixR().topLeftCorner(k, k);
+  const Eigen::SparseMatrix<double, Eigen::RowMajor, int> sorted(qr.matrixR());  // its columns are not in order
+  const Sparse triangle = sorted.topLeftCorner(k, k);
   Eigen::VectorXd y = Eigen::VectorXd::Zero(columns);
   y.head(k) = triangle.triangularView<Eigen::Upper>().transpose().solve(permuted.head(k));
   return {qr.matrixQ() * y, static_cast<int>(k)};

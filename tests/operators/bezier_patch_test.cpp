@@ -87,7 +87,8 @@ double worst(const PatchSurface& coarse, const PatchSurface& fine) {
 TEST_SUITE("operators") {
   TEST_CASE("a patch has the points of de Casteljau and the derivatives of its hodographs") {
     Dice dice(71);
-    for (const auto& [du, dv] : {std::pair{3, 3}, std::pair{7, 7}, std::pair{2, 5}, std::pair{1, 0}, std::pair{0, 1}}) {
+    for (const auto& degrees : {std::pair{3, 3}, std::pair{7, 7}, std::pair{2, 5}, std::pair{1, 0}, std::pair{0, 1}}) {
+      const int du = degrees.first, dv = degrees.second;
       CAPTURE(du);
       const BezierPatch patch = random_patch(dice, du, dv);
       for (const double u : {0.0, 0.25, 0.7, 1.0}) {

@@ -68,8 +68,9 @@ TEST_SUITE("operators") {
       const double distance = decimal(test["dis"]);
       const OffsetResult result = offset_by(case_mesh(test), distance, 3);
       const CertifiedErrors certified = certified_offset_errors(result.base, result.d, distance);
-      for (const auto& [name, found, sampled] :
+      for (const auto& [key, found, sampled] :
            {std::tuple{"eps", certified.eps, result.errors.eps}, std::tuple{"E", certified.full, result.errors.full}}) {
+        const std::string name = key;
         CAPTURE(name);
         CHECK(found.upper >= sampled);
         CHECK(found.upper <= 1.2 * found.lower);

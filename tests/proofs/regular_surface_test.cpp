@@ -64,7 +64,8 @@ Json changed(const Json& value, std::mt19937& random) {
 }  // namespace
 
 TEST_CASE("the verdicts of the meshes follow from their expected decisions") {
-  for (const auto& [name, expected] : expected_regularity()["meshes"].items()) {
+  for (const auto& [key, expected] : expected_regularity()["meshes"].items()) {
+    const std::string& name = key;
     CAPTURE(name);
     for (const RegularityMode mode : {RegularityMode::interior, RegularityMode::bspline}) {
       CAPTURE(to_string(mode));
@@ -221,7 +222,8 @@ TEST_CASE("verdicts do not depend on frames order orientation or motions") {
       tilted.points(v, 2) = s * y + c * z + Rational(1);
     }
     images.emplace_back("tilt", tilted);
-    for (const auto& [what, image] : images) {
+    for (const auto& [key, image] : images) {
+      const auto& what = key;
       CAPTURE(what);
       const Result after = decide(image);
       CHECK(after.verdict == before.verdict);

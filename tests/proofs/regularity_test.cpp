@@ -98,7 +98,8 @@ TEST_CASE("nearly opposite vectors too close for floating point are told apart")
 }
 
 TEST_CASE("classes tests and adaptive decisions of the meshes are the expected ones") {
-  for (const auto& [name, expected] : expected_regularity()["meshes"].items()) {
+  for (const auto& [key, expected] : expected_regularity()["meshes"].items()) {
+    const std::string& name = key;
     CAPTURE(name);
     const QuadMesh mesh(regularity_mesh(name));
     CHECK(mesh.mesh().vertices() == expected["vertices"]);
@@ -129,7 +130,8 @@ TEST_CASE("classes tests and adaptive decisions of the meshes are the expected o
 }
 
 TEST_CASE("decisions after exact refinement are the expected ones") {
-  for (const auto& [name, expected] : expected_regularity()["meshes"].items()) {
+  for (const auto& [key, expected] : expected_regularity()["meshes"].items()) {
+    const std::string& name = key;
     if (!expected.contains("after_cc_steps")) continue;
     for (const Json& e : expected["after_cc_steps"]) {
       CAPTURE(name);
@@ -145,7 +147,8 @@ TEST_CASE("decisions after exact refinement are the expected ones") {
 }
 
 TEST_CASE("nets corners and normal coefficients of patches are the expected ones") {
-  for (const auto& [name, list] : expected_regularity()["patches"].items()) {
+  for (const auto& [key, list] : expected_regularity()["patches"].items()) {
+    const std::string& name = key;
     const QuadMesh mesh(regularity_mesh(name));
     for (const Json& e : list) {
       CAPTURE(name);

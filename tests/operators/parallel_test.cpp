@@ -28,13 +28,23 @@ TEST_SUITE("operators") {
   TEST_CASE("progress rises to its end and comes from the caller") {
     const auto caller = std::this_thread::get_id();
     std::vector<double> said;
+    std::atomic<int> by_others = 0;
     RunControl control;
     control.progress = [&](double fraction) {
-      if (std::this_thread::get_id() == caller) said.push_back(fraction);
+      if (std::this_thread::get_id() == caller) {
+        said.push_back(fraction);
+      } else {
+        ++by_others;
+      }
     };
-    for_each_piece(50, 2, control, [](std::int64_t) {});
-    REQUIRE_FALSE(said.empty());
+    std::atomic<bool> other_worked = false;  // the caller waits for it with its first piece
+    for_each_piece(50, 2, control, [&](std::int64_t) {
+      if (std::this_thread::get_id() != caller) other_worked = true;
+      while (!other_worked) std::this_thread::yield();
+    });
+    CHECK(by_others == 0);
     CHECK(std::is_sorted(said.begin(), said.end()));
+    REQUIRE_FALSE(said.empty());
     CHECK(said.back() == 1);
   }
 

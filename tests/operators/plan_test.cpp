@@ -192,6 +192,22 @@ TEST_SUITE("operators") {
     CHECK_FALSE(cold.plan->before.plan);
   }
 
+  TEST_CASE("the matrices of a plan that is kept stay smaller than the caches or the result") {
+    Dice dice(97);
+    Mesh uneven = random_mesh(dice, true);
+    while (uneven.faces() < 300) uneven = joined(uneven, random_mesh(dice, true));
+    const Surface<double> surface = random_surface<double>(dice, uneven);
+    const Word word = scheme("UCCP");
+    const Compiled<float> compiled = compile<float>(word, surface, 5, always());
+    REQUIRE(compiled.plan);
+    CHECK(compiled.plan->before.rounds > 0);  // at once there would be too many kinds
+    CHECK(compiled.plan->before.plan);
+    double matrices = 0;
+    for (const auto& kind : compiled.plan->kinds) matrices += static_cast<double>(kind.layers[0].values.size() * sizeof(float));
+    CHECK(matrices <= std::max(4e6, 0.5 * sizeof(float) * 3 * static_cast<double>(compiled.plan->vertices())));
+    CHECK(test::difference_to_run<float>(word, surface, 5) < 1e-6);
+  }
+
   TEST_CASE("vertices of high valence are planned or go the general path and agree") {
     Dice dice(95);
     const Surface<double> star = random_surface<double>(dice, *ring_mesh(200, 2).mesh);
